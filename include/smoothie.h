@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * smoothie: soft shadows on OpenGL ES 3.
+ *
+ * A scene is plain data and needs no GL. A renderer lives in the GL context that is current when
+ * it is created, and draws scenes into framebuffers that the caller owns.
+ *
+ *	scene    = sm_scene_create();
+ *	           sm_scene_add_mesh(), sm_scene_add_object(), sm_scene_add_light() ...
+ *	renderer = sm_renderer_create(get_proc, &error);
+ *	           sm_renderer_draw(renderer, scene, &view, &error);
+ *
+ * Conventions
+ * - Lengths are in the scene's own unit, angles in degrees, colours linear with Rec. 709 primaries.
+ * - Space is right-handed; matrices are column-major and multiply column vectors (p' = M p).
+ * - A triangle faces the side from which its corners are seen counter-clockwise.
+ * - Handles (mesh, image, object, light) are indices counted from 0 in the order of creation.
+ * - A function that can fail returns false and fills *error; error may be NULL.
+ * - Nothing here is thread-safe for one scene or one renderer; different ones are independent.
+ */
+#ifndef SMOOTHIE_H
+#define SMOOTHIE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define SM_API __attribute__((visibility("default")))
+#else
+#define SM_API
+#endif
+
+/** No image, no light: an absent handle. */
+#define SM_NONE UINT32_MAX
+
+/** What went wrong; the values are the exit statuses of the program. */
+enum sm_status {
+	SM_OK = 0,
+	SM_ERROR_MACHINE = 1, /**< out of memory, driver, disk: the same input may work elsewhere */
+	SM_ERROR_INPUT = 2,   /**< what the caller gave cannot be used anywhere */
+};
+
+/** One line for a person, without a newline: place, cause, what to do. */
+struct sm_error {
+	enum sm_status status;
+	char text[500];
+};
+
+/* ---------------------------------------------------------------------------------------------
+ * Scene
+ */
+
+struct sm_scene;
+
+/** An empty scene, or NULL when out of memory. Destroy with sm_scene_destroy(). */
+SM_API struct sm_scene *sm_scene_create(void);
+/** Frees the scene and all it holds; NULL is fine. Renderers that drew it must not draw it again,
+ *  but may be destroyed later. */
+SM_API void sm_scene_destroy(struct sm_scene *scene);
+
+/** Triangles as plain arrays; copied, so the caller may free them afterwards. */
+struct sm_mesh_desc {
+	const char *name;        /**< for error messages; may be NULL */
+	const float *positions;  /**< [vertex_count][3], finite */
+	const float *normals;    /**< [vertex_count][3]; NULL: flat, from the triangles */
+	const float *uvs;        /**< [vertex_count][2], (0,0) = first texel; may be NULL */
+	size_t vertex_count;
+	const uint32_t *indices; /**< [index_count], each < vertex_count */
+	size_t index_count;      /**< a multiple of 3, below 3 * 2^31 */
+};
+
+/** Adds a mesh: vertices are welded by position, edges packed. Fails (INPUT) on an index out of
+ *  range, a vertex that is not finite, or no triangle. */
+SM_API bool sm_scene_add_mesh(struct sm_scene *scene, const struct sm_mesh_desc *desc,
+	uint32_t *mesh, struct sm_error *error);
+
+/** Facts about one mesh after welding. */
+struct sm_mesh_stats {
+	size_t triangles;
+	size_t degenerate_triangles; /**< no area: they face nowhere */
+	size_t vertices;             /**< as given, identical ones merged */
+	size_t welded_vertices;      /**< distinct positions */
+	size_t edges;                /**< distinct pairs of welded vertices joined by a triangle side */
+	size_t open_edges;           /**< with one triangle */
+	size_t non_manifold_edges;   /**< with more than two */
+	size_t inverted_edges;       /**< with two triangles that run through it the same way */
+	size_t edge_bytes;           /**< packed edge table */
+	size_t plane_bytes;          /**< face planes for the facing test */
+};
+
+SM_API void sm_scene_get_mesh_stats(
+	const struct sm_scene *scene, uint32_t mesh, struct sm_mesh_stats *stats);
+
+/** Adds an sRGB picture, width x height texels of R,G,B,A bytes, rows from v = 0; copied.
+ *  Fails (INPUT) on a size of 0 or above 16384. */
+SM_API bool sm_scene_add_image(struct sm_scene *scene, uint32_t width, uint32_t height,
+	const uint8_t *rgba, uint32_t *image, struct sm_error *error);
+
+struct sm_object_desc {
+	const char *name;      /**< may be NULL */
+	uint32_t mesh;
+	float transform[16];   /**< object to world, column-major, affine, finite */
+	float base_color[4];   /**< linear; alpha is not used */
+	uint32_t image;        /**< multiplies base_color; SM_NONE for none */
+	bool casts, receives;  /**< shadows */
+};
+
+SM_API bool sm_scene_add_object(struct sm_scene *scene, const struct sm_object_desc *desc,
+	uint32_t *object, struct sm_error *error);
+/** transform: as in sm_object_desc. */
+SM_API bool sm_scene_set_transform(struct sm_scene *scene, uint32_t object,
+	const float transform[16], struct sm_error *error);
+
+enum sm_light_type {
+	SM_LIGHT_SPOT,        /**< a cone from position towards target */
+	SM_LIGHT_DIRECTIONAL, /**< parallel, along position -> target; covers the whole scene */
+};
+
+struct sm_light_desc {
+	const char *name;      /**< may be NULL */
+	enum sm_light_type type;
+	float position[3];
+	float target[3];       /**< differs from position */
+	float radius;          /**< of the luminous disc at position, >= 0; 0: a point */
+	float angle;           /**< spot: full angle of the cone, (0, 170] degrees */
+	float softness;        /**< spot: share of the cone's half angle over which light fades, [0, 1] */
+	float color[3];        /**< linear, >= 0 */
+	float intensity;       /**< illuminance at target; 1 shows a white surface that faces the
+				    light as white. Spots fall off with the distance squared. */
+};
+
+SM_API bool sm_scene_add_light(struct sm_scene *scene, const struct sm_light_desc *desc,
+	uint32_t *light, struct sm_error *error);
+SM_API bool sm_scene_set_light(struct sm_scene *scene, uint32_t light,
+	const struct sm_light_desc *desc, struct sm_error *error);
+
+/** Light that comes from everywhere, and what is seen where there is nothing. Linear. */
+struct sm_environment {
+	float sky[3];        /**< ambient light from +y */
+	float ground[3];     /**< ambient light from -y */
+	float background[3];
+};
+
+SM_API void sm_scene_set_environment(
+	struct sm_scene *scene, const struct sm_environment *environment);
+
+SM_API uint32_t sm_scene_mesh_count(const struct sm_scene *scene);
+SM_API uint32_t sm_scene_object_count(const struct sm_scene *scene);
+SM_API uint32_t sm_scene_light_count(const struct sm_scene *scene);
+
+/** World-space box around all objects, or around the casters alone; false if there are none. */
+SM_API bool sm_scene_get_bounds(
+	const struct sm_scene *scene, bool casters_only, float min[3], float max[3]);
+
+/* ---------------------------------------------------------------------------------------------
+ * Renderer
+ */
+
+struct sm_renderer;
+
+/** Looks a GL function up by name, as eglGetProcAddress does. */
+typedef void (*(*sm_get_proc)(const char *name))(void);
+
+/** A renderer in the current context, which must be OpenGL ES 3.0 or later; the context must be
+ *  current whenever the renderer is used or destroyed. */
+SM_API struct sm_renderer *sm_renderer_create(sm_get_proc get_proc, struct sm_error *error);
+/** Frees every GL object the renderer made; NULL is fine. */
+SM_API void sm_renderer_destroy(struct sm_renderer *renderer);
+
+enum sm_falloff {
+	SM_FALLOFF_DEFAULT,
+	SM_FALLOFF_LINEAR,
+	SM_FALLOFF_SINUSOID, /**< (1 - cos(pi a)) / 2, from a table (Chan & Durand 2003, section 4) */
+};
+
+/** How shadows are made. Zero in a field means the default. A field that the technique does not
+ *  use must stay zero: setting it is an error. */
+struct sm_shadow_options {
+	const char *technique;   /**< a name of sm_technique_name(); NULL: the default, "smoothie" */
+	uint32_t map_size;       /**< texels a side of the shadow map; default 1024 */
+	float width;             /**< smoothie: t of the paper, the fins' width as a share of the
+				      light's screen, (0, 1]; default: from the light's radius */
+	enum sm_falloff falloff; /**< smoothie: default linear */
+	uint32_t passes;         /**< smoothie: 2 fills the smoothie buffer in two passes, nearest
+				      depth and then minimum alpha, as the paper does; default 1 */
+};
+
+SM_API bool sm_renderer_set_shadows(struct sm_renderer *renderer,
+	const struct sm_shadow_options *options, struct sm_error *error);
+
+/** The technique's name and one line about it, or NULL when index is past the last one. */
+SM_API const char *sm_technique_name(size_t index);
+SM_API const char *sm_technique_summary(size_t index);
+
+struct sm_camera {
+	float eye[3];
+	float target[3]; /**< differs from eye */
+	float up[3];     /**< not parallel to the view */
+	float fov;       /**< vertical, (0, 179) degrees */
+	float near, far; /**< 0 < near < far; both 0: from the scene's bounds */
+};
+
+/** What to draw, and where to. */
+struct sm_view {
+	struct sm_camera camera;
+	uint32_t framebuffer;    /**< GL name, complete, with colour and depth; 0: the context's own.
+				      Written as sRGB whether or not its format is sRGB. */
+	uint32_t width, height;  /**< viewport, from (0, 0) of the framebuffer */
+	/** A light, or SM_NONE for the picture. The share of that light that reaches the nearest
+	 *  surface, v in [0, 1], is written instead of a picture: R = high byte, G = low byte of
+	 *  round(65535 v), B = 0, A = 1; 65535 where there is no surface. Needs a framebuffer that
+	 *  is not sRGB, with 8 bits a channel and one sample. */
+	uint32_t visibility_of;
+};
+
+/** Draws shadows and frame. GL state that was changed is left at GL's defaults, except for the
+ *  bound framebuffer and viewport, which are the view's. */
+SM_API bool sm_renderer_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
+	const struct sm_view *view, struct sm_error *error);
+
+/** What the last sm_renderer_draw() did. */
+struct sm_frame_stats {
+	uint32_t draw_calls;
+	uint32_t lights;           /**< drawn with shadows */
+	uint64_t triangles;        /**< submitted, all passes */
+	uint64_t silhouette_edges; /**< all lights */
+	uint64_t fin_vertices;
+	uint64_t uploaded_bytes;
+	double silhouette_ms;      /**< processor time for silhouettes and fins */
+};
+
+SM_API void sm_renderer_get_stats(
+	const struct sm_renderer *renderer, struct sm_frame_stats *stats);
+
+/** Facts about driver and chosen paths as key and value, in a fixed order. */
+typedef void (*sm_fact)(void *data, const char *key, const char *value);
+SM_API void sm_renderer_describe(const struct sm_renderer *renderer, sm_fact fact, void *data);
+
+/* ---------------------------------------------------------------------------------------------
+ * Log
+ */
+
+enum sm_log_level { SM_LOG_ERROR, SM_LOG_WARNING, SM_LOG_INFO, SM_LOG_DEBUG };
+typedef void (*sm_log)(void *data, enum sm_log_level level, const char *line);
+
+/** Where the library's messages go, for the whole process; NULL silences them, as does not calling
+ *  this. */
+SM_API void sm_set_log(sm_log log, void *data);
+
+/** "MAJOR.MINOR.PATCH" */
+SM_API const char *sm_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
