@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+#include "geom/caster.h"
+#include "base/array.h"
+#include <meshoptimizer.h>
+#include <stdlib.h>
+
+static bool weld(struct caster *caster, const float (*positions)[3], size_t vertex_count,
+	const uint32_t *indices)
+{
+	size_t index_count = 3 * caster->triangle_count;
+	size_t size = sizeof(*caster->positions);
+	uint32_t *remap = array_alloc(vertex_count, sizeof(*remap));
+	caster->positions = array_alloc(vertex_count, size);
+	caster->indices = array_alloc(index_count, sizeof(*caster->indices));
+	bool ok = remap != NULL && caster->positions != NULL && caster->indices != NULL;
+	if (ok) {
+		caster->vertex_count = meshopt_generateVertexRemap(
+			remap, indices, index_count, positions, vertex_count, size);
+		meshopt_remapVertexBuffer(caster->positions, positions, vertex_count, size, remap);
+		meshopt_remapIndexBuffer(caster->indices, indices, index_count, remap);
+	}
+	free(remap);
+	return ok;
+}
+
+/* Neighbours near each other keep the edge table small and the search in the cache. */
+static void order(struct caster *caster)
+{
+	size_t index_count = 3 * caster->triangle_count;
+	meshopt_optimizeVertexCache(
+		caster->indices, caster->indices, index_count, caster->vertex_count);
+	meshopt_optimizeVertexFetch(caster->positions, caster->indices, index_count,
+		caster->positions, caster->vertex_count, sizeof(*caster->positions));
+}
+
+bool caster_init(struct caster *caster, const float (*positions)[3], size_t vertex_count,
+	const uint32_t *indices, size_t triangle_count)
+{
+	*caster = (struct caster){.triangle_count = triangle_count};
+	if (!weld(caster, positions, vertex_count, indices))
+		goto error;
+	order(caster);
+	if (!edge_table_init(&caster->edges, caster->indices, triangle_count, caster->vertex_count))
+		goto error;
+	if (!face_planes_init(&caster->planes, caster->positions, caster->vertex_count,
+		    caster->indices, triangle_count))
+		goto error;
+	return true;
+error:
+	caster_finish(caster);
+	return false;
+}
+
+void caster_finish(struct caster *caster)
+{
+	free(caster->positions);
+	free(caster->indices);
+	edge_table_finish(&caster->edges);
+	face_planes_finish(&caster->planes);
+	*caster = (struct caster){0};
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GEOM_CASTER_H
+#define GEOM_CASTER_H
+
+#include "geom/edges.h"
+#include "geom/face.h"
+
+/** A mesh as its silhouettes are searched: welded by position alone, in a triangle order of its
+ *  own that keeps neighbours near. */
+struct caster {
+	size_t vertex_count;
+	float (*positions)[3]; /* [vertex_count], distinct, without negative zeros */
+	size_t triangle_count;
+	uint32_t *indices; /* [3 * triangle_count] */
+	struct edge_table edges;
+	struct face_planes planes;
+};
+
+/**
+ * positions: [vertex_count][3], finite, equal ones equal in every bit; vertex_count < 2^32 - 1.
+ * indices: [3 * triangle_count], each < vertex_count; triangle_count < 2^31. Both are copied.
+ * False: out of memory.
+ */
+bool caster_init(struct caster *caster, const float (*positions)[3], size_t vertex_count,
+	const uint32_t *indices, size_t triangle_count);
+void caster_finish(struct caster *caster);
+
+#endif

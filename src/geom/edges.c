@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: MIT */
+#include "geom/edges.h"
+#include "base/array.h"
+#include <stdlib.h>
+
+/* What the table holds about a half-edge, while it is built. Triangles are below 2^31. */
+#define NO_RECORD (UINT32_MAX - 1)
+
+/* A half-edge, filed under its two vertices. */
+struct side {
+	uint32_t vertex[2]; /* ascending */
+	uint32_t triangle;
+	uint8_t k;        /* corner of the triangle */
+	uint8_t reversed; /* 1: it runs from vertex[1] to vertex[0] */
+};
+
+static size_t corner_of(const struct side *side)
+{
+	return 3 * (size_t)side->triangle + side->k;
+}
+
+static size_t collect_sides(const uint32_t *indices, size_t triangle_count, struct side *sides)
+{
+	size_t count = 0;
+	for (size_t t = 0; t < triangle_count; t++) {
+		const uint32_t *v = &indices[3 * t];
+		if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
+			continue;
+		for (int k = 0; k < 3; k++) {
+			uint32_t from = v[k], to = v[(k + 1) % 3];
+			sides[count++] = (struct side){
+				.vertex = {from < to ? from : to, from < to ? to : from},
+				.triangle = (uint32_t)t,
+				.k = (uint8_t)k,
+				.reversed = from > to,
+			};
+		}
+	}
+	return count;
+}
+
+/* A stable counting sort by vertex[end]; ends: [vertex_count + 1]. */
+static void sort_sides(const struct side *sides, size_t count, int end, size_t *ends,
+	size_t vertex_count, struct side *sorted)
+{
+	for (size_t v = 0; v <= vertex_count; v++)
+		ends[v] = 0;
+	for (size_t i = 0; i < count; i++)
+		ends[sides[i].vertex[end] + 1]++;
+	for (size_t v = 0; v < vertex_count; v++)
+		ends[v + 1] += ends[v];
+	for (size_t i = 0; i < count; i++)
+		sorted[ends[sides[i].vertex[end]]++] = sides[i];
+}
+
+/* The first side from i on that runs this way. */
+static size_t next_side(const struct side *sides, size_t count, size_t i, uint8_t reversed)
+{
+	while (i < count && sides[i].reversed != reversed)
+		i++;
+	return i;
+}
+
+/* Pairs off the sides of one edge, in the order of their corners. */
+static void pair_group(const struct side *sides, size_t count, uint32_t *neighbours)
+{
+	size_t i = next_side(sides, count, 0, 0);
+	size_t j = next_side(sides, count, 0, 1);
+	while (i < count && j < count) {
+		const struct side *owner = &sides[i < j ? i : j];
+		const struct side *other = &sides[i < j ? j : i];
+		neighbours[corner_of(owner)] = other->triangle;
+		i = next_side(sides, count, i + 1, 0);
+		j = next_side(sides, count, j + 1, 1);
+	}
+	for (; i < count; i = next_side(sides, count, i + 1, 0))
+		neighbours[corner_of(&sides[i])] = EDGE_OPEN;
+	for (; j < count; j = next_side(sides, count, j + 1, 1))
+		neighbours[corner_of(&sides[j])] = EDGE_OPEN;
+}
+
+static void count_group(struct edge_table *table, const struct side *sides, size_t count)
+{
+	table->edge_count++;
+	table->open += count == 1;
+	table->non_manifold += count > 2;
+	table->inverted += count == 2 && sides[0].reversed == sides[1].reversed;
+}
+
+/* Fills neighbours: [3 * triangle_count] and the counts of undirected edges. */
+static bool pair_sides(struct edge_table *table, const uint32_t *indices, size_t vertex_count,
+	uint32_t *neighbours)
+{
+	size_t corner_count = 3 * table->triangle_count;
+	for (size_t c = 0; c < corner_count; c++)
+		neighbours[c] = NO_RECORD;
+
+	bool ok = false;
+	struct side *sides = array_alloc(corner_count, sizeof(*sides));
+	struct side *sorted = array_alloc(corner_count, sizeof(*sorted));
+	size_t *ends = array_alloc(vertex_count + 1, sizeof(*ends));
+	if (sides == NULL || sorted == NULL || ends == NULL)
+		goto out;
+
+	size_t count = collect_sides(indices, table->triangle_count, sides);
+	sort_sides(sides, count, 1, ends, vertex_count, sorted);
+	sort_sides(sorted, count, 0, ends, vertex_count, sides);
+	for (size_t begin = 0, end; begin < count; begin = end) {
+		end = begin + 1;
+		while (end < count && sides[end].vertex[0] == sides[begin].vertex[0] &&
+			sides[end].vertex[1] == sides[begin].vertex[1])
+			end++;
+		pair_group(&sides[begin], end - begin, neighbours);
+		count_group(table, &sides[begin], end - begin);
+	}
+	ok = true;
+out:
+	free(sides);
+	free(sorted);
+	free(ends);
+	return ok;
+}
+
+static bool is_near(size_t owner, uint32_t neighbour)
+{
+	return neighbour != EDGE_OPEN && neighbour / EDGE_BLOCK == owner / EDGE_BLOCK;
+}
+
+static bool is_escape(size_t owner, uint32_t neighbour)
+{
+	return neighbour != EDGE_OPEN && neighbour - owner >= EDGE_ESCAPE;
+}
+
+static bool reserve_records(struct edge_table *table, const uint32_t *neighbours)
+{
+	table->blocks = array_zalloc(edge_table_blocks(table), sizeof(*table->blocks));
+	if (table->blocks == NULL)
+		return false;
+	for (size_t c = 0; c < 3 * table->triangle_count; c++) {
+		if (neighbours[c] == NO_RECORD)
+			continue;
+		struct edge_block *block = &table->blocks[c / 3 / EDGE_BLOCK];
+		bool near = is_near(c / 3, neighbours[c]);
+		*(near ? &block->near_count : &block->far_count) += 1;
+		*(near ? &table->near_count : &table->far_count) += 1;
+		table->escape_count += is_escape(c / 3, neighbours[c]);
+	}
+	table->near = array_alloc(table->near_count, sizeof(*table->near));
+	table->far_corners = array_alloc(table->far_count, sizeof(*table->far_corners));
+	table->far_distances = array_alloc(table->far_count, sizeof(*table->far_distances));
+	table->escapes = array_alloc(table->escape_count, sizeof(*table->escapes));
+	return table->near != NULL && table->far_corners != NULL && table->far_distances != NULL &&
+	       table->escapes != NULL;
+}
+
+static void fill_records(struct edge_table *table, const uint32_t *neighbours)
+{
+	uint16_t *near = table->near, *distance = table->far_distances;
+	uint8_t *corner = table->far_corners;
+	uint32_t *escape = table->escapes;
+	for (size_t c = 0; c < 3 * table->triangle_count; c++) {
+		size_t owner = c / 3, k = c % 3;
+		uint32_t neighbour = neighbours[c];
+		if (neighbour == NO_RECORD)
+			continue;
+		size_t place = owner % EDGE_BLOCK + k * EDGE_BLOCK;
+		if (is_near(owner, neighbour)) {
+			*near++ = (uint16_t)(place + neighbour % EDGE_BLOCK * 256);
+			continue;
+		}
+		*corner++ = (uint8_t)place;
+		*distance++ = neighbour == EDGE_OPEN        ? 0
+			      : is_escape(owner, neighbour) ? EDGE_ESCAPE
+							    : (uint16_t)(neighbour - owner);
+		if (is_escape(owner, neighbour))
+			*escape++ = neighbour;
+	}
+}
+
+bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t triangle_count,
+	size_t vertex_count)
+{
+	*table = (struct edge_table){.triangle_count = triangle_count};
+	uint32_t *neighbours = array_alloc(triangle_count, 3 * sizeof(*neighbours));
+	bool ok = neighbours != NULL && pair_sides(table, indices, vertex_count, neighbours) &&
+		  reserve_records(table, neighbours);
+	if (ok)
+		fill_records(table, neighbours);
+	else
+		edge_table_finish(table);
+	free(neighbours);
+	return ok;
+}
+
+void edge_table_finish(struct edge_table *table)
+{
+	free(table->blocks);
+	free(table->near);
+	free(table->far_corners);
+	free(table->far_distances);
+	free(table->escapes);
+	*table = (struct edge_table){0};
+}
+
+size_t edge_table_blocks(const struct edge_table *table)
+{
+	return table->triangle_count / EDGE_BLOCK + (table->triangle_count % EDGE_BLOCK != 0);
+}
+
+size_t edge_table_records(const struct edge_table *table)
+{
+	return table->near_count + table->far_count;
+}
+
+size_t edge_table_bytes(const struct edge_table *table)
+{
+	return edge_table_blocks(table) * sizeof(*table->blocks) +
+	       table->near_count * sizeof(*table->near) +
+	       table->far_count * (sizeof(*table->far_corners) + sizeof(*table->far_distances)) +
+	       table->escape_count * sizeof(*table->escapes);
+}
+
+static struct edge_record record_of(uint32_t owner, unsigned corner, uint32_t neighbour)
+{
+	return (struct edge_record){
+		.corner = 3 * (size_t)owner + corner / EDGE_BLOCK,
+		.neighbour = neighbour == owner ? EDGE_OPEN : neighbour,
+	};
+}
+
+void edge_table_decode(const struct edge_table *table, struct edge_record *records)
+{
+	const uint16_t *near = table->near;
+	struct edge_far_reader far = edge_far_reader_of(table);
+	for (size_t b = 0; b < edge_table_blocks(table); b++) {
+		uint32_t first = (uint32_t)(b * EDGE_BLOCK), owner, neighbour;
+		for (unsigned i = 0; i < table->blocks[b].near_count; i++, near++)
+			*records++ = record_of(
+				first + *near % EDGE_BLOCK, *near % 256, first + *near / 256);
+		for (unsigned i = 0; i < table->blocks[b].far_count; i++) {
+			uint8_t corner = edge_far_reader_next(&far, first, &owner, &neighbour);
+			*records++ = record_of(owner, corner, neighbour);
+		}
+	}
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+#include "geom/face.h"
+#include "base/array.h"
+#include <math.h>
+#include <stdlib.h>
+
+#define FACE_ARRAYS 4
+
+void face_normal(const float p0[3], const float p1[3], const float p2[3], double normal[3])
+{
+	double u[3], v[3];
+	for (int i = 0; i < 3; i++) {
+		u[i] = (double)p1[i] - p0[i];
+		v[i] = (double)p2[i] - p0[i];
+	}
+	normal[0] = u[1] * v[2] - u[2] * v[1];
+	normal[1] = u[2] * v[0] - u[0] * v[2];
+	normal[2] = u[0] * v[1] - u[1] * v[0];
+}
+
+static double length(const double v[3])
+{
+	return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static void find_sphere(
+	struct face_planes *planes, const float (*positions)[3], size_t vertex_count)
+{
+	double min[3] = {INFINITY, INFINITY, INFINITY};
+	double max[3] = {-INFINITY, -INFINITY, -INFINITY};
+	for (size_t v = 0; v < vertex_count; v++) {
+		for (int i = 0; i < 3; i++) {
+			min[i] = fmin(min[i], positions[v][i]);
+			max[i] = fmax(max[i], positions[v][i]);
+		}
+	}
+	for (int i = 0; i < 3; i++)
+		planes->center[i] = (min[i] + max[i]) / 2.0;
+	planes->radius = 0.0;
+	for (size_t v = 0; v < vertex_count; v++) {
+		double arm[3];
+		for (int i = 0; i < 3; i++)
+			arm[i] = positions[v][i] - planes->center[i];
+		planes->radius = fmax(planes->radius, length(arm));
+	}
+}
+
+static void quantise(
+	struct face_planes *planes, size_t t, const float p0[3], const double normal[3])
+{
+	/* Neither divisor is zero: the triangle has an area, so that its corners differ. */
+	double scale = FACE_PLANE_ONE / length(normal);
+	double unit[3] = {normal[0] * scale, normal[1] * scale, normal[2] * scale};
+	double d = 0.0;
+	for (int i = 0; i < 3; i++)
+		d += unit[i] * ((p0[i] - planes->center[i]) / planes->radius);
+	planes->nx[t] = (int16_t)lrint(unit[0]);
+	planes->ny[t] = (int16_t)lrint(unit[1]);
+	planes->nz[t] = (int16_t)lrint(unit[2]);
+	planes->d[t] = (int16_t)lrint(d);
+}
+
+bool face_planes_init(struct face_planes *planes, const float (*positions)[3], size_t vertex_count,
+	const uint32_t *indices, size_t triangle_count)
+{
+	*planes = (struct face_planes){.count = triangle_count};
+	int16_t *memory = array_zalloc(triangle_count, FACE_ARRAYS * sizeof(*memory));
+	if (memory == NULL)
+		return false;
+	planes->nx = memory;
+	planes->ny = planes->nx + triangle_count;
+	planes->nz = planes->ny + triangle_count;
+	planes->d = planes->nz + triangle_count;
+
+	find_sphere(planes, positions, vertex_count);
+	for (size_t t = 0; t < triangle_count; t++) {
+		const uint32_t *corners = &indices[3 * t];
+		const float *p0 = positions[corners[0]];
+		double normal[3];
+		face_normal(p0, positions[corners[1]], positions[corners[2]], normal);
+		if (length(normal) > 0.0)
+			quantise(planes, t, p0, normal);
+		else
+			planes->degenerate++;
+	}
+	return true;
+}
+
+void face_planes_finish(struct face_planes *planes)
+{
+	free(planes->nx);
+	*planes = (struct face_planes){0};
+}
+
+size_t face_planes_bytes(const struct face_planes *planes)
+{
+	return planes->count * FACE_ARRAYS * sizeof(*planes->nx);
+}

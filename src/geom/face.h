@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GEOM_FACE_H
+#define GEOM_FACE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** (p1 - p0) x (p2 - p0) in double: twice the area long, towards the side that faces. */
+void face_normal(const float p0[3], const float p1[3], const float p2[3], double normal[3]);
+
+/**
+ * The triangles' planes, 8 bytes each, for a first and nearly always final answer to which side a
+ * light is on: with unit normal n and offset d = n . (p0 - center) / radius, rounded to
+ * 1 / FACE_PLANE_ONE.
+ * All zero for a triangle without area.
+ */
+struct face_planes {
+	size_t count;
+	int16_t *nx, *ny, *nz, *d; /* nx owns the memory of all four */
+	double center[3], radius;  /* a sphere around all vertices */
+	size_t degenerate;         /* triangles whose normal is exactly zero */
+};
+
+#define FACE_PLANE_ONE 32767
+
+/** positions: [vertex_count][3], finite; indices: [3 * triangle_count]. False: out of memory. */
+bool face_planes_init(struct face_planes *planes, const float (*positions)[3], size_t vertex_count,
+	const uint32_t *indices, size_t triangle_count);
+void face_planes_finish(struct face_planes *planes);
+
+size_t face_planes_bytes(const struct face_planes *planes);
+
+#endif

@@ -1,0 +1,269 @@
+/* SPDX-License-Identifier: MIT */
+#include "geom/mesh.h"
+#include "geom/solid.h"
+#include "base/array.h"
+#include "base/error.h"
+#include <math.h>
+#include <meshoptimizer.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Corner numbers of a mesh without normals must fit an index, and meshoptimizer keeps the last
+ * value for itself. */
+#define VERTICES_MAX (UINT32_MAX - 1)
+#define TRIANGLES_MAX INT32_MAX
+
+static bool is_finite(const float *values, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		if (!isfinite(values[i]))
+			return false;
+	return true;
+}
+
+static bool check_counts(const struct sm_mesh_desc *desc, const char *name, struct sm_error *error)
+{
+	if (desc->index_count == 0)
+		return error_set(error, SM_ERROR_INPUT, "mesh %s: no triangle", name);
+	if (desc->index_count % 3 != 0)
+		return error_set(error, SM_ERROR_INPUT, "mesh %s: %zu indices, not a multiple of 3",
+			name, desc->index_count);
+	if (desc->index_count / 3 > TRIANGLES_MAX)
+		return error_set(error, SM_ERROR_INPUT, "mesh %s: %zu triangles, above %d", name,
+			desc->index_count / 3, TRIANGLES_MAX);
+	if (desc->vertex_count > VERTICES_MAX)
+		return error_set(error, SM_ERROR_INPUT, "mesh %s: %zu vertices, above %u", name,
+			desc->vertex_count, VERTICES_MAX);
+	if (desc->normals == NULL && desc->index_count > VERTICES_MAX)
+		return error_set(error, SM_ERROR_INPUT,
+			"mesh %s: %zu corners without normals, above %u", name, desc->index_count,
+			VERTICES_MAX);
+	return true;
+}
+
+static bool check_desc(const struct sm_mesh_desc *desc, struct sm_error *error)
+{
+	const char *name = desc->name != NULL ? desc->name : "(unnamed)";
+	if (!check_counts(desc, name, error))
+		return false;
+	for (size_t i = 0; i < desc->index_count; i++)
+		if (desc->indices[i] >= desc->vertex_count)
+			return error_set(error, SM_ERROR_INPUT,
+				"mesh %s: index %zu is %u, but there are %zu vertices", name, i,
+				desc->indices[i], desc->vertex_count);
+	for (size_t v = 0; v < desc->vertex_count; v++)
+		if (!is_finite(&desc->positions[3 * v], 3))
+			return error_set(error, SM_ERROR_INPUT,
+				"mesh %s: the position of vertex %zu is not finite", name, v);
+	return true;
+}
+
+/* False, and v unchanged, when it has no direction. */
+static bool normalise(double v[3])
+{
+	double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+	if (!(length > 0.0) || !isfinite(length))
+		return false;
+	for (int i = 0; i < 3; i++)
+		v[i] /= length;
+	return true;
+}
+
+/* -0 + 0 = 0: equal values become equal bits, which merging looks at. */
+static void store(float *out, const float *in, int count)
+{
+	for (int i = 0; i < count; i++)
+		out[i] = in[i] + 0.0f;
+}
+
+/* Into a unit normal, +z for what has no direction. */
+static void store_normal(double v[3], float normal[3])
+{
+	float unit[3] = {0.0f, 0.0f, 1.0f};
+	if (normalise(v))
+		for (int i = 0; i < 3; i++)
+			unit[i] = (float)v[i];
+	store(normal, unit, 3);
+}
+
+/* Unit, or zero for a triangle without area. */
+static void unit_face_normal(const struct sm_mesh_desc *desc, size_t triangle, double normal[3])
+{
+	const uint32_t *v = &desc->indices[3 * triangle];
+	const float *p = desc->positions;
+	face_normal(&p[3 * (size_t)v[0]], &p[3 * (size_t)v[1]], &p[3 * (size_t)v[2]], normal);
+	normalise(normal);
+}
+
+static bool reserve_vertices(struct mesh *mesh, size_t vertex_count, size_t index_count)
+{
+	mesh->vertex_count = vertex_count;
+	mesh->index_count = index_count;
+	mesh->positions = array_alloc(vertex_count, sizeof(*mesh->positions));
+	mesh->normals = array_alloc(vertex_count, sizeof(*mesh->normals));
+	mesh->uvs = array_zalloc(vertex_count, sizeof(*mesh->uvs));
+	mesh->indices = array_alloc(index_count, sizeof(*mesh->indices));
+	return mesh->positions != NULL && mesh->normals != NULL && mesh->uvs != NULL &&
+	       mesh->indices != NULL;
+}
+
+static void copy_vertex(
+	struct mesh *mesh, size_t vertex, const struct sm_mesh_desc *desc, size_t source)
+{
+	store(mesh->positions[vertex], &desc->positions[3 * source], 3);
+	if (desc->uvs != NULL && is_finite(&desc->uvs[2 * source], 2))
+		store(mesh->uvs[vertex], &desc->uvs[2 * source], 2);
+}
+
+/* Each corner becomes a vertex with its triangle's normal. */
+static bool copy_flat(struct mesh *mesh, const struct sm_mesh_desc *desc)
+{
+	if (!reserve_vertices(mesh, desc->index_count, desc->index_count))
+		return false;
+	for (size_t i = 0; i < desc->index_count; i++) {
+		double normal[3];
+		copy_vertex(mesh, i, desc, desc->indices[i]);
+		unit_face_normal(desc, i / 3, normal);
+		store_normal(normal, mesh->normals[i]);
+		mesh->indices[i] = (uint32_t)i;
+	}
+	return true;
+}
+
+static bool copy_smooth(struct mesh *mesh, const struct sm_mesh_desc *desc)
+{
+	size_t count = desc->vertex_count;
+	double(*normals)[3] = array_alloc(count, sizeof(*normals));
+	bool *broken = array_alloc(count, sizeof(*broken));
+	bool ok = normals != NULL && broken != NULL &&
+		  reserve_vertices(mesh, count, desc->index_count);
+	if (!ok)
+		goto out;
+
+	for (size_t v = 0; v < count; v++) {
+		for (int i = 0; i < 3; i++)
+			normals[v][i] = desc->normals[3 * v + (size_t)i];
+		broken[v] = !normalise(normals[v]);
+		if (broken[v])
+			memset(normals[v], 0, sizeof(*normals));
+	}
+	for (size_t i = 0; i < desc->index_count; i++) {
+		uint32_t v = mesh->indices[i] = desc->indices[i];
+		double normal[3];
+		if (!broken[v])
+			continue;
+		unit_face_normal(desc, i / 3, normal);
+		for (int c = 0; c < 3; c++)
+			normals[v][c] += normal[c];
+	}
+	for (size_t v = 0; v < count; v++) {
+		copy_vertex(mesh, v, desc, v);
+		store_normal(normals[v], mesh->normals[v]);
+	}
+out:
+	free(normals);
+	free(broken);
+	return ok;
+}
+
+static void move_vertices(struct mesh *mesh, size_t new_count, const uint32_t *remap)
+{
+	size_t count = mesh->vertex_count;
+	meshopt_remapIndexBuffer(mesh->indices, mesh->indices, mesh->index_count, remap);
+	meshopt_remapVertexBuffer(
+		mesh->positions, mesh->positions, count, sizeof(*mesh->positions), remap);
+	meshopt_remapVertexBuffer(
+		mesh->normals, mesh->normals, count, sizeof(*mesh->normals), remap);
+	meshopt_remapVertexBuffer(mesh->uvs, mesh->uvs, count, sizeof(*mesh->uvs), remap);
+	mesh->vertex_count = new_count;
+}
+
+/* Merges identical vertices, drops unused ones and orders what is left for the GPU. */
+static bool optimise(struct mesh *mesh)
+{
+	uint32_t *remap = array_alloc(mesh->vertex_count, sizeof(*remap));
+	if (remap == NULL)
+		return false;
+	const struct meshopt_Stream streams[] = {
+		{mesh->positions, sizeof(*mesh->positions), sizeof(*mesh->positions)},
+		{mesh->normals, sizeof(*mesh->normals), sizeof(*mesh->normals)},
+		{mesh->uvs, sizeof(*mesh->uvs), sizeof(*mesh->uvs)},
+	};
+	size_t count = meshopt_generateVertexRemapMulti(
+		remap, mesh->indices, mesh->index_count, mesh->vertex_count, streams, 3);
+	move_vertices(mesh, count, remap);
+
+	meshopt_optimizeVertexCache(
+		mesh->indices, mesh->indices, mesh->index_count, mesh->vertex_count);
+	count = meshopt_optimizeVertexFetchRemap(
+		remap, mesh->indices, mesh->index_count, mesh->vertex_count);
+	move_vertices(mesh, count, remap);
+	free(remap);
+	return true;
+}
+
+static void find_box(struct mesh *mesh)
+{
+	memcpy(mesh->min, mesh->positions[0], sizeof(mesh->min));
+	memcpy(mesh->max, mesh->positions[0], sizeof(mesh->max));
+	for (size_t v = 1; v < mesh->vertex_count; v++) {
+		for (int i = 0; i < 3; i++) {
+			mesh->min[i] = fminf(mesh->min[i], mesh->positions[v][i]);
+			mesh->max[i] = fmaxf(mesh->max[i], mesh->positions[v][i]);
+		}
+	}
+}
+
+static void count_up(struct mesh *mesh)
+{
+	const struct caster *caster = &mesh->caster;
+	mesh->stats = (struct sm_mesh_stats){
+		.triangles = caster->triangle_count,
+		.degenerate_triangles = caster->planes.degenerate,
+		.vertices = mesh->vertex_count,
+		.welded_vertices = caster->vertex_count,
+		.edges = caster->edges.edge_count,
+		.open_edges = caster->edges.open,
+		.non_manifold_edges = caster->edges.non_manifold,
+		.inverted_edges = caster->edges.inverted,
+		.edge_bytes = edge_table_bytes(&caster->edges),
+		.plane_bytes = face_planes_bytes(&caster->planes),
+	};
+}
+
+bool mesh_init(struct mesh *mesh, const struct sm_mesh_desc *desc, struct sm_error *error)
+{
+	*mesh = (struct mesh){0};
+	if (!check_desc(desc, error))
+		return false;
+	if (desc->name != NULL) {
+		mesh->name = array_copy(desc->name, strlen(desc->name) + 1, 1);
+		if (mesh->name == NULL)
+			goto no_memory;
+	}
+	if (!(desc->normals != NULL ? copy_smooth(mesh, desc) : copy_flat(mesh, desc)))
+		goto no_memory;
+	if (!optimise(mesh))
+		goto no_memory;
+	find_box(mesh);
+	if (!caster_init(&mesh->caster, (const float(*)[3])mesh->positions, mesh->vertex_count,
+		    mesh->indices, mesh->index_count / 3))
+		goto no_memory;
+	mesh->solid = caster_is_solid(&mesh->caster);
+	count_up(mesh);
+	return true;
+no_memory:
+	mesh_finish(mesh);
+	return error_no_memory(error);
+}
+
+void mesh_finish(struct mesh *mesh)
+{
+	free(mesh->name);
+	free(mesh->positions);
+	free(mesh->normals);
+	free(mesh->uvs);
+	free(mesh->indices);
+	caster_finish(&mesh->caster);
+	*mesh = (struct mesh){0};
+}

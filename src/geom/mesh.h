@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GEOM_MESH_H
+#define GEOM_MESH_H
+
+#include "geom/caster.h"
+#include <smoothie.h>
+
+struct mesh {
+	char *name; /* may be NULL */
+
+	/* As drawn: identical vertices merged, in an order good for a vertex cache. */
+	size_t vertex_count;
+	float (*positions)[3]; /* [vertex_count], without negative zeros */
+	float (*normals)[3];   /* unit */
+	float (*uvs)[2];       /* finite; zero when the description has none */
+	size_t index_count;
+	uint32_t *indices;
+
+	struct caster caster;
+	bool solid; /* back faces need not be drawn from outside the box */
+
+	float min[3], max[3]; /* box around the vertices in use */
+	struct sm_mesh_stats stats;
+};
+
+/**
+ * Copies and prepares what the description holds. Missing normals are the triangles' own, one a
+ * corner; a normal without direction becomes the mean of the triangles around it, or +z where they
+ * have none either. A uv that is not finite becomes zero. Fails (INPUT, naming the mesh) as
+ * sm_scene_add_mesh() says, or for lack of memory (MACHINE).
+ */
+bool mesh_init(struct mesh *mesh, const struct sm_mesh_desc *desc, struct sm_error *error);
+void mesh_finish(struct mesh *mesh);
+
+#endif

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GEOM_SCREEN_GRID_H
+#define GEOM_SCREEN_GRID_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** Cells a side. */
+#define SCREEN_GRID_SIZE 64
+
+/** A set of cells over a screen, NDC [-1, 1]: a word a row, a bit a cell, from the lower left.
+ *  Conservative: what has been added lies in marked cells wholly. */
+struct screen_grid {
+	uint64_t rows[SCREEN_GRID_SIZE];
+};
+
+void screen_grid_clear(struct screen_grid *grid);
+void screen_grid_fill(struct screen_grid *grid);
+
+/** A corner of a shape, NDC. */
+struct screen_point {
+	float x, y;
+};
+
+/**
+ * Marks the convex hull of points, and all within `slack` cells of it.
+ * edges: [edge_count <= 12] pairs of indices into points, among which are the hull's own edges. A
+ * point that is far beyond the screen, or not finite, marks everything.
+ */
+void screen_grid_add(struct screen_grid *grid, const struct screen_point *points,
+	const uint8_t (*edges)[2], size_t edge_count, float slack);
+
+/** Whether a marked cell touches the rectangle. */
+bool screen_grid_touches(const struct screen_grid *grid, const float min[2], const float max[2]);
+
+/** End of the run of cells that starts at x in the row, all marked or all not: x < end <= size. */
+int screen_grid_run_end(const struct screen_grid *grid, int x, int row);
+
+bool screen_grid_has(const struct screen_grid *grid, int x, int row);
+
+#endif

@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT */
+#include "geom/silhouette.h"
+#include <math.h>
+#include <string.h>
+
+size_t facing_words(const struct caster *caster)
+{
+	return edge_table_blocks(&caster->edges);
+}
+
+/* A light as the quantised planes see it; all zero when they cannot. */
+struct plane_test {
+	int16_t x, y, z, d;
+};
+
+/* The sum over nx x, ny y, nz z, d d of the products' upper halves. Above or below these, it has
+ * the sign of the exact value. */
+#define SURELY_FACES 2
+#define SURELY_NOT (-6)
+
+/*
+ * With N the normal in double, m = light.xyz - w c and r the radius, the exact value is
+ *	|N| (n . m - w r d),   n = N / |N|,   d = n . (p0 - c) / r.
+ * Let x be (m, -w r) divided by |m| + w r, Q = 32767, and V = n . x.xyz + d x.w, so that
+ * |V| <= 1. n, d and x are rounded to 1 / Q. Q^2 V is thereby changed by at most
+ *	Q / 2 (|n|_1 + |d| + |x|_1) + 4 / 4 <= Q / 2 (sqrt 3 + 1 + sqrt 3) + 1 < 1.12 * 2^16,
+ * and taking the upper halves of four products loses less than 4 more: the sum is within
+ * (-5.12, 1.12] of Q^2 V / 2^16. What double rounds here, in the planes and in the exact value is
+ * below 2^-30 of the same scale, at any scale of light and mesh; with a w other than 0 or 1,
+ * light.xyz - w p0 could round by more. The sum and its parts stay within 16 bits.
+ */
+static struct plane_test plane_test_of(const struct face_planes *planes, const float light[4])
+{
+	double w = light[3];
+	double m[3];
+	for (int i = 0; i < 3; i++)
+		m[i] = light[i] - w * planes->center[i];
+	double length = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) + w * planes->radius;
+	/* No length: neither light nor mesh has an extent, so that nothing faces. */
+	if ((w != 0.0 && w != 1.0) || length == 0.0)
+		return (struct plane_test){0};
+	double scale = FACE_PLANE_ONE / length;
+	return (struct plane_test){
+		.x = (int16_t)lrint(m[0] * scale),
+		.y = (int16_t)lrint(m[1] * scale),
+		.z = (int16_t)lrint(m[2] * scale),
+		.d = (int16_t)lrint(-w * planes->radius * scale),
+	};
+}
+
+static bool faces(const struct caster *caster, size_t t, const float light[4])
+{
+	const uint32_t *corners = &caster->indices[3 * t];
+	const float *p0 = caster->positions[corners[0]];
+	double normal[3];
+	face_normal(p0, caster->positions[corners[1]], caster->positions[corners[2]], normal);
+	double value = 0.0;
+	for (int i = 0; i < 3; i++)
+		value += normal[i] * (light[i] - (double)light[3] * p0[i]);
+	return value > 0.0;
+}
+
+/* One bit per byte that is 1 rather than 0. */
+static uint64_t pack_bytes(const uint8_t bytes[EDGE_BLOCK])
+{
+	uint64_t word = 0;
+	for (int i = 0; i < EDGE_BLOCK; i += 8) {
+		uint64_t eight = 0;
+		for (int j = 0; j < 8; j++)
+			eight |= (uint64_t)bytes[i + j] << 8 * j;
+		/* Moves bit 8 j to bit 56 + j; no two products meet. */
+		word |= (eight * UINT64_C(0x0102040810204080) >> 56) << i;
+	}
+	return word;
+}
+
+static inline int16_t upper_half(int16_t a, int16_t b)
+{
+	return (int16_t)(a * b >> 16);
+}
+
+/* Tests count triangles, 64 at most, from the first: a bit for each that surely faces the light;
+ * and whether any is unsure, with the sums that tell which. */
+static inline uint64_t test_planes(const struct face_planes *planes, size_t first, int count,
+	struct plane_test test, int16_t sums[EDGE_BLOCK], bool *unsure)
+{
+	const int16_t *nx = &planes->nx[first], *ny = &planes->ny[first];
+	const int16_t *nz = &planes->nz[first], *d = &planes->d[first];
+	uint8_t above[EDGE_BLOCK] = {0};
+	uint8_t near = 0;
+	for (int i = 0; i < count; i++) {
+		int16_t sum = (int16_t)(upper_half(nx[i], test.x) + upper_half(ny[i], test.y) +
+					upper_half(nz[i], test.z) + upper_half(d[i], test.d));
+		sums[i] = sum;
+		above[i] = sum >= SURELY_FACES;
+		near |= (uint8_t)((sum < SURELY_FACES) & (sum > SURELY_NOT));
+	}
+	*unsure = near != 0;
+	return pack_bytes(above);
+}
+
+static uint64_t facing_word(const struct caster *caster, size_t first, int count,
+	struct plane_test test, const float light[4])
+{
+	int16_t sums[EDGE_BLOCK];
+	bool unsure;
+	/* The constant count is what lets a compiler unroll it into vectors. */
+	uint64_t word =
+		count == EDGE_BLOCK
+			? test_planes(&caster->planes, first, EDGE_BLOCK, test, sums, &unsure)
+			: test_planes(&caster->planes, first, count, test, sums, &unsure);
+	if (!unsure)
+		return word;
+	for (int i = 0; i < count; i++)
+		if (sums[i] < SURELY_FACES && sums[i] > SURELY_NOT)
+			word |= (uint64_t)faces(caster, first + (size_t)i, light) << i;
+	return word;
+}
+
+void facing_find(const struct caster *caster, const float light[4], uint64_t *facing)
+{
+	size_t words = facing_words(caster);
+	if (!isfinite(light[0]) || !isfinite(light[1]) || !isfinite(light[2]) ||
+		!isfinite(light[3])) {
+		memset(facing, 0, words * sizeof(*facing));
+		return;
+	}
+	struct plane_test test = plane_test_of(&caster->planes, light);
+	for (size_t w = 0; w < words; w++) {
+		size_t first = w * EDGE_BLOCK;
+		size_t left = caster->triangle_count - first;
+		facing[w] = facing_word(
+			caster, first, left < EDGE_BLOCK ? (int)left : EDGE_BLOCK, test, light);
+	}
+}
+
+/* Room for all records of a block, and for one that is written before it is known to count. */
+#define HITS_MAX (3 * EDGE_BLOCK + 1)
+
+/* Lists the owners' corners of records whose triangles differ, without a branch on whether they do,
+ * which no processor can predict. Returns how many. */
+static inline unsigned find_near(
+	uint64_t facing, const uint16_t *near, unsigned count, uint8_t *hits)
+{
+	unsigned found = 0;
+	for (unsigned i = 0; i < count; i++) {
+		unsigned record = near[i];
+		hits[found] = (uint8_t)record;
+		found += (facing >> record % EDGE_BLOCK ^ facing >> record / 256) & 1;
+	}
+	return found;
+}
+
+static inline unsigned find_far(const uint64_t *facing, uint32_t first, unsigned count,
+	struct edge_far_reader *reader, uint8_t *hits)
+{
+	uint64_t own = facing[first / EDGE_BLOCK];
+	unsigned found = 0;
+	for (unsigned i = 0; i < count; i++) {
+		uint32_t owner, neighbour;
+		hits[found] = edge_far_reader_next(reader, first, &owner, &neighbour);
+		uint64_t across = facing[neighbour / EDGE_BLOCK] >> neighbour % EDGE_BLOCK;
+		found += (own >> owner % EDGE_BLOCK ^ (across & (neighbour != owner))) & 1;
+	}
+	return found;
+}
+
+static inline struct silhouette_edge edge_at(
+	const uint32_t *indices, uint64_t facing, uint32_t first, uint8_t corner)
+{
+	unsigned t = corner % EDGE_BLOCK, k = corner / EDGE_BLOCK;
+	unsigned next = k == 2 ? 0 : k + 1;
+	bool own = facing >> t & 1;
+	const uint32_t *corners = &indices[3 * ((size_t)first + t)];
+	return (struct silhouette_edge){corners[own ? k : next], corners[own ? next : k]};
+}
+
+size_t silhouette_find(const struct caster *caster, const uint64_t *facing,
+	struct silhouette_edge *edges, size_t capacity)
+{
+	const struct edge_table *table = &caster->edges;
+	const uint16_t *near = table->near;
+	struct edge_far_reader far = edge_far_reader_of(table);
+	size_t count = 0;
+	for (size_t b = 0; b < edge_table_blocks(table); b++) {
+		struct edge_block block = table->blocks[b];
+		uint32_t first = (uint32_t)(b * EDGE_BLOCK);
+		uint8_t hits[HITS_MAX];
+		unsigned found = 0;
+		/* In a block that faces one way throughout, no near record can differ. */
+		if (facing[b] != 0 && facing[b] != UINT64_MAX)
+			found = find_near(facing[b], near, block.near_count, hits);
+		near += block.near_count;
+		found += find_far(facing, first, block.far_count, &far, &hits[found]);
+		for (unsigned i = 0; i < found; i++, count++)
+			if (count < capacity)
+				edges[count] = edge_at(caster->indices, facing[b], first, hits[i]);
+	}
+	return count;
+}
