@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/light.h"
+#include <string.h>
+
+/* A caster that reaches nearer to a spot than this share of its range is cut off there. Wider
+ * ranges cost the 24-bit depth map its precision at the far end (2^-24 / k of the range). */
+#define NEAR_TO_FAR_MIN (1.0f / 1000.0f)
+
+static void light_view(const struct sm_light_desc *light, mat4 view)
+{
+	vec3 axis;
+	glm_vec3_sub((float *)light->target, (float *)light->position, axis);
+	glm_vec3_normalize(axis);
+	vec3 up = {0.0f, 1.0f, 0.0f};
+	if (fabsf(axis[1]) > 0.9f)
+		glm_vec3_copy((vec3){0.0f, 0.0f, 1.0f}, up);
+	glm_look((float *)light->position, axis, up, view);
+}
+
+/* Box of the casters, or of every object, in light space; false if there are none. */
+static bool light_space_bounds(
+	const struct sm_scene *scene, mat4 view, bool casters_only, vec3 box[2])
+{
+	glm_aabb_invalidate(box);
+	bool found = false;
+	for (size_t i = 0; i < scene->object_count; i++) {
+		const struct object *object = &scene->objects[i];
+		if (casters_only && !object->casts)
+			continue;
+		vec3 part[2];
+		glm_vec3_copy((float *)object->min, part[0]);
+		glm_vec3_copy((float *)object->max, part[1]);
+		glm_aabb_transform(part, view, part);
+		glm_aabb_merge(box, part, box);
+		found = true;
+	}
+	return found;
+}
+
+/* Nearest and farthest distance along the axis, so far. */
+struct depth_range {
+	float near, far;
+};
+
+/* A quad has at most four more corners after four planes. */
+#define FACE_CORNERS_MAX 8
+
+/* Keeps what of a convex polygon in view space is inside one side of a spot's square cone:
+ * sign * p[axis] <= -tangent p.z (Sutherland & Hodgman 1974). Returns the number of corners. */
+static int clip_face(vec3 *corners, int count, int axis, float sign, float tangent,
+	vec3 clipped[FACE_CORNERS_MAX])
+{
+	int kept = 0;
+	for (int i = 0; i < count; i++) {
+		float *p = corners[i], *q = corners[(i + 1) % count];
+		float inside_p = -tangent * p[2] - sign * p[axis];
+		float inside_q = -tangent * q[2] - sign * q[axis];
+		if (inside_p >= 0.0f)
+			glm_vec3_copy(p, clipped[kept++]);
+		/* One is below 0 and the other is not: the divisor is neither's 0. */
+		if ((inside_p >= 0.0f) != (inside_q >= 0.0f))
+			glm_vec3_lerp(p, q, inside_p / (inside_p - inside_q), clipped[kept++]);
+	}
+	return kept;
+}
+
+static void widen_by_face(struct depth_range *range, vec3 quad[4], float tangent)
+{
+	vec3 corners[2][FACE_CORNERS_MAX];
+	int count = 4, from = 0;
+	memcpy(corners[0], quad, 4 * sizeof(vec3));
+	for (int side = 0; side < 4 && count > 0; side++, from = 1 - from)
+		count = clip_face(corners[from], count, side / 2, side % 2 ? -1.0f : 1.0f, tangent,
+			corners[1 - from]);
+	for (int i = 0; i < count; i++) {
+		range->near = fminf(range->near, -corners[from][i][2]);
+		range->far = fmaxf(range->far, -corners[from][i][2]);
+	}
+}
+
+/* Depths of the part of a world-space box that is in the cone. A corner of that part lies on a face
+ * of the box, or is the light. */
+static void widen_by_box(
+	struct depth_range *range, const struct object *object, mat4 view, float tangent)
+{
+	vec3 corners[8];
+	for (int i = 0; i < 8; i++) {
+		vec3 p;
+		for (int axis = 0; axis < 3; axis++)
+			p[axis] = i >> axis & 1 ? object->max[axis] : object->min[axis];
+		glm_mat4_mulv3(view, p, 1.0f, corners[i]);
+	}
+	static const int faces[6][4] = {
+		{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+	for (int face = 0; face < 6; face++) {
+		vec3 quad[4];
+		for (int i = 0; i < 4; i++)
+			glm_vec3_copy(corners[faces[face][i]], quad[i]);
+		widen_by_face(range, quad, tangent);
+	}
+}
+
+static void spot_frame(struct light_frame *frame, const struct sm_light_desc *light,
+	const struct sm_scene *scene, mat4 view)
+{
+	struct depth_range casters = {FLT_MAX, 0.0f}, all = {FLT_MAX, 0.0f};
+	/* A thousandth more for rounding, here and below. */
+	float tangent = tanf(glm_rad(light->angle) / 2.0f) * 1.001f;
+	for (size_t i = 0; i < scene->object_count; i++) {
+		widen_by_box(&all, &scene->objects[i], view, tangent);
+		if (scene->objects[i].casts)
+			widen_by_box(&casters, &scene->objects[i], view, tangent);
+	}
+	/* With nothing in the cone any range will do. */
+	float far_plane = all.far * 1.001f;
+	if (!(far_plane > 0.0f && isfinite(far_plane)))
+		far_plane = 1.0f;
+	float near_plane = fmaxf(casters.near * 0.999f, far_plane * NEAR_TO_FAR_MIN);
+	near_plane = fminf(near_plane, far_plane * 0.5f);
+	frame->near = near_plane;
+	frame->far = far_plane;
+	frame->near_to_far = near_plane / far_plane;
+	frame->pole = 1.0f / (1.0f - frame->near_to_far);
+	frame->half_extent = tanf(glm_rad(light->angle) / 2.0f);
+	frame->disc = light->radius;
+	mat4 projection;
+	glm_perspective(glm_rad(light->angle), 1.0f, near_plane, far_plane, projection);
+	glm_mat4_mul(projection, view, frame->world_to_clip);
+	glm_vec3_copy((float *)light->position, frame->origin);
+	frame->origin[3] = 1.0f;
+	glm_mat4_copy(view, frame->world_to_light);
+}
+
+static void directional_frame(struct light_frame *frame, const struct sm_light_desc *light,
+	const struct sm_scene *scene, mat4 view)
+{
+	vec3 path, center;
+	/* With nothing to cast or receive a shadow any box will do. */
+	vec3 casters[2] = {{-1.0f, -1.0f, -2.0f}, {1.0f, 1.0f, -1.0f}}, all[2], found[2];
+	if (light_space_bounds(scene, view, true, found))
+		memcpy(casters, found, sizeof(casters));
+	if (!light_space_bounds(scene, view, false, all))
+		memcpy(all, casters, sizeof(all));
+	glm_vec3_sub((float *)light->position, (float *)light->target, path);
+	glm_aabb_center(casters, center);
+	float extent = fmaxf(casters[1][0] - casters[0][0], casters[1][1] - casters[0][1]) / 2.0f;
+	/* Wide enough for one penumbra, and never empty. */
+	frame->disc = light->radius / glm_vec3_norm(path);
+	float depth = fmaxf(casters[1][2], all[1][2]) - all[0][2];
+	extent = extent * 1.01f + frame->disc * depth;
+	if (!(extent > 0.0f && isfinite(extent)))
+		extent = 1.0f;
+	if (!(depth > 0.0f && isfinite(depth)))
+		depth = 1.0f;
+	frame->parallel = true;
+	frame->half_extent = extent;
+	/* From the near plane on: counted from a light that may be far away, depths would lose the
+	 * digits that tell them apart. */
+	float start = -casters[1][2] - depth * 0.001f;
+	frame->near = 0.0f;
+	frame->far = -all[0][2] + depth * 0.001f - start;
+	if (!(frame->far > 0.0f))
+		frame->far = depth;
+	frame->near_to_far = 1.0f;
+	frame->pole = 1.0f;
+	mat4 projection, to_center = GLM_MAT4_IDENTITY_INIT;
+	glm_translate(to_center, (vec3){-center[0], -center[1], start});
+	glm_mat4_mul(to_center, view, frame->world_to_light);
+	glm_ortho(-extent, extent, -extent, extent, frame->near, frame->far, projection);
+	glm_mat4_mul(projection, frame->world_to_light, frame->world_to_clip);
+	glm_vec3_normalize_to(path, frame->origin);
+	frame->origin[3] = 0.0f;
+}
+
+void light_frame_init(
+	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene)
+{
+	*frame = (struct light_frame){0};
+	mat4 view;
+	light_view(light, view);
+	if (light->type == SM_LIGHT_SPOT)
+		spot_frame(frame, light, scene, view);
+	else
+		directional_frame(frame, light, scene, view);
+	/* Views look along -z; here z grows away from the light. */
+	for (int column = 0; column < 4; column++)
+		frame->world_to_light[column][2] *= -1.0f;
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SCENE_LIGHT_H
+#define SCENE_LIGHT_H
+
+#include "scene/scene.h"
+
+/**
+ * A light as the shadow map sees the scene. Window depth d in [0, 1] is GL's own: hyperbolic for a
+ * spot, linear for a directional light. With z the distance along the light's axis and
+ * l = (z - near) / (far - near):
+ *
+ *	l = d k / (1 - d (1 - k))        k = near_to_far (1 for a directional light)
+ *	1 - b/r = (d_r - d_b) / (K - d_b)   K = pole
+ *
+ * for a blocker at b and a receiver at r. The second is exact and loses nothing to cancellation.
+ * For a directional light the same expression, with K = 1, is (r - b) / (far - b): what the width
+ * of the penumbra is of its width on a receiver at the far plane, as 1 - b/r is of that on a
+ * receiver at infinity.
+ */
+struct light_frame {
+	mat4 world_to_light; /* x right, y up on the screen, z along the axis; from the light, or
+				for a directional one from the middle of the near plane */
+	mat4 world_to_clip;
+	bool parallel;
+	float near, far;   /* along the axis, scene units; near is 0 for a directional light */
+	float near_to_far; /* k */
+	float pole;        /* K */
+	float half_extent; /* of the screen: at distance 1 for a spot, in scene units else */
+	float disc;        /* radius of the light: scene units for a spot; for a directional
+			      light the tangent of the angle it shows */
+	vec4 origin;       /* homogeneous: position, or the direction towards the light */
+};
+
+/** Fits the light's screen and depth range around the scene's objects. */
+void light_frame_init(
+	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene);
+
+#endif

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SCENE_SCENE_H
+#define SCENE_SCENE_H
+
+#include "geom/mesh.h"
+#include <cglm/cglm.h>
+#include <smoothie.h>
+
+struct image {
+	uint32_t width, height;
+	uint8_t *rgba; /* sRGB, owned */
+};
+
+struct object {
+	char *name; /* may be NULL; owned */
+	uint32_t mesh, image;
+	mat4 transform;
+	vec3 base_color;
+	bool casts, receives;
+	vec3 min, max; /* world space */
+};
+
+struct light {
+	char *name;                /* may be NULL; owned */
+	struct sm_light_desc desc; /* its name points to the one above */
+};
+
+struct sm_scene {
+	uint64_t id; /* unique in the process, never 0 */
+	struct mesh *meshes;
+	struct image *images;
+	struct object *objects;
+	struct light *lights;
+	size_t mesh_count, image_count, object_count, light_count;
+	size_t mesh_capacity, image_capacity, object_capacity, light_capacity;
+	struct sm_environment environment;
+};
+
+#endif
