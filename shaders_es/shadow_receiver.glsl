@@ -1,0 +1,38 @@
+// Where a receiver lies on the light's screen, and how its own plane slopes there.
+uniform sampler2DShadow depth_compare;
+uniform vec2 map_size;      // texels, and the size of one
+uniform vec2 bias_limit;    // at window depth d: x + y d
+uniform vec2 screen_w;      // w of light space: x z + y
+uniform float screen_scale; // window x, y = scale x, y / w + 1/2
+uniform vec3 screen_depth;  // window depth = x + y / w + z z
+
+// Eight steps of a 24-bit depth map: rounding of both depths, and of their interpolation.
+const float DEPTH_STEP = 8.0 / 16777216.0;
+// The four nearest texels lie up to one texel off; a twentieth more for vertices that the
+// rasteriser snapped to its grid.
+const float REACH = 1.05;
+
+// Window coordinates on the light's screen. Beside it they lead to the map's border texels, which
+// hold no caster; behind a spot the depth falls below all there is: either way to light.
+vec3 on_screen(vec3 p)
+{
+	float inverse = 1.0 / max(screen_w.x * p.z + screen_w.y, 1e-30);
+	float depth = screen_depth.x + screen_depth.y * inverse + screen_depth.z * p.z;
+	return vec3(p.xy * (screen_scale * inverse) + 0.5, depth);
+}
+
+// The depth to compare at the four texels nearest to s: in front of all that the receiver's own
+// plane, through this pixel and its neighbours, may have left there (receiver plane depth bias,
+// Isidoro 2006). One depth for the four: following the plane from texel to texel would be nearer
+// to a flat receiver, but takes the next facet of a curved one for a blocker.
+float receiver_depth(vec3 s)
+{
+	vec3 dx = dFdx(s);
+	vec3 dy = dFdy(s);
+	float area = abs(dx.x * dy.y - dx.y * dy.x);
+	vec2 slope = abs(vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z));
+	float rise = (slope.x + slope.y) * (map_size.y * REACH);
+	// A plane that the light sees edge on has no area there: the limit is what counts.
+	float bias = min(rise / max(area, 1e-30), bias_limit.x + bias_limit.y * s.z);
+	return clamp(s.z - DEPTH_STEP - bias, 0.0, 1.0);
+}

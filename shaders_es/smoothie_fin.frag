@@ -1,0 +1,44 @@
+// One texel of a smoothie (Chan & Durand 2003, section 4): its depth, and its alpha remapped by
+// the distances of blocker and receiver, alpha' = clamp(alpha / (1 - b/r), 0, 1).
+in vec2 fin_offset;
+in float fin_width;
+
+uniform sampler2D depth_map;
+#ifdef RECEIVER_MAP
+uniform sampler2D receiver_map; // what receives and does not cast
+#endif
+#ifdef SINUSOID
+uniform sampler2D falloff;
+#endif
+uniform float pole;
+
+#ifndef DEPTH_ONLY
+layout(location = 0) out vec4 smoothie; // linear depth, alpha'
+#endif
+
+void main()
+{
+	ivec2 texel = ivec2(gl_FragCoord.xy);
+	float b = gl_FragCoord.z;
+	float r = texelFetch(depth_map, texel, 0).r;
+#ifdef RECEIVER_MAP
+	r = min(r, texelFetch(receiver_map, texel, 0).r);
+#endif
+	// Behind a blocker, or at contact, where 1 - b/r is 0. Else b < r <= 1 <= pole: the divisor
+	// is above 0.
+	if (r <= b)
+		discard;
+	float share = (r - b) / (pole - b); // 1 - b/r
+	float alpha = length(fin_offset);
+	// alpha / width / share >= 1, without dividing by what may be 0: nothing is darkened.
+	float full = fin_width * share;
+	if (alpha >= full)
+		discard;
+#ifndef DEPTH_ONLY
+	alpha /= full;
+#ifdef SINUSOID
+	alpha = textureLod(falloff, vec2(alpha, 0.5), 0.0).r;
+#endif
+	smoothie = vec4(linear_depth(b), alpha, 1.0, 1.0);
+#endif
+}

@@ -1,0 +1,88 @@
+in vec3 surface_position; // light space
+in vec3 surface_normal;
+in float surface_up;
+#ifdef TEXTURED
+in vec2 surface_uv;
+uniform sampler2D base_texture;
+#endif
+
+uniform vec3 base_color;
+uniform vec3 ambient_sky;
+uniform vec3 ambient_ground;
+#ifdef LIT
+uniform bool light_is_point; // a spot; else directional
+uniform vec3 light_color;    // illuminance at the target
+uniform float light_reach;   // spot: squared distance of the target; else 1
+uniform vec2 light_cone;     // share inside = x cosine to the axis + y, clamped; always 1: (0, 1)
+#endif
+
+layout(location = 0) out vec4 color;
+
+// Squares of lengths below this (in scene units) count as this, so that no quotient is infinite:
+// the smallest normal float is 1.2e-38.
+const float TINY = 1e-36;
+
+#ifdef LIT
+vec3 path_to_light()
+{
+	return light_is_point ? -surface_position : vec3(0.0, 0.0, -1.0);
+}
+
+// Cosine between the normal, on the side that is seen, and the way to the light, times |path|.
+float facing(vec3 path)
+{
+	float toward = dot(surface_normal, path);
+	return gl_FrontFacing ? toward : -toward;
+}
+#endif
+
+#ifdef VISIBILITY
+void main()
+{
+	float v = 1.0;
+#ifdef LIT
+	v = facing(path_to_light()) > 0.0 ? 1.0 : 0.0;
+#endif
+#ifdef SHADOWED
+	v *= shadow_visibility(surface_position);
+#endif
+	float steps = floor(v * 65535.0 + 0.5);
+	float high = floor(steps / 256.0);
+	color = vec4(high, steps - 256.0 * high, 0.0, 255.0) / 255.0;
+}
+#else
+#ifdef LIT
+float strength()
+{
+	vec3 path = path_to_light();
+	float inverse = inversesqrt(max(dot(path, path), TINY));
+	// The normals at the vertices are of length 1, so that the first term of 1 / sqrt(x) around 1
+	// is enough to bring one between them back to it.
+	float inverse_normal = 1.5 - 0.5 * dot(surface_normal, surface_normal);
+	// From a thousandth of the target's distance on, light grows no more.
+	float near = min(light_reach * inverse * inverse, 1e6);
+	float cone = clamp(-path.z * inverse * light_cone.x + light_cone.y, 0.0, 1.0);
+	cone = cone * cone * (3.0 - 2.0 * cone);
+	return max(facing(path), 0.0) * (inverse * inverse_normal) * (near * cone);
+}
+#endif
+
+void main()
+{
+	float n_up = gl_FrontFacing ? surface_up : -surface_up;
+	vec3 received = mix(ambient_ground, ambient_sky, 0.5 + 0.5 * n_up);
+#ifdef SHADOWED
+	received += light_color * (strength() * shadow_visibility(surface_position));
+#elif defined(LIT)
+	received += light_color * strength();
+#endif
+	vec3 c = base_color * received;
+#ifdef TEXTURED
+	c *= texture(base_texture, surface_uv).rgb;
+#endif
+#ifdef ENCODE_SRGB
+	c = encode_srgb(c);
+#endif
+	color = vec4(c, 1.0);
+}
+#endif

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GLES_GL_H
+#define GLES_GL_H
+
+#include "base/error.h"
+#include <GLES3/gl3.h>
+
+/* Extension tokens, from the Khronos registry; Debian's gl2ext.h wants gl2.h before it. */
+#define GL_DEBUG_OUTPUT_KHR 0x92E0
+#define GL_DEBUG_OUTPUT_SYNCHRONOUS_KHR 0x8242
+#define GL_DEBUG_TYPE_ERROR_KHR 0x824C
+#define GL_DEBUG_SEVERITY_HIGH_KHR 0x9146
+#define GL_DEBUG_SOURCE_APPLICATION_KHR 0x824A
+
+typedef void(GL_APIENTRY *gl_debug_callback)(GLenum source, GLenum type, GLuint id, GLenum severity,
+	GLsizei length, const GLchar *message, const void *data);
+typedef void(GL_APIENTRY *gl_debug_message_callback)(gl_debug_callback callback, const void *data);
+typedef void(GL_APIENTRY *gl_push_debug_group)(
+	GLenum source, GLuint id, GLsizei length, const GLchar *message);
+typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
+
+/* clang-format off */
+#define GL_FUNCTIONS(X) \
+	X(ACTIVETEXTURE, ActiveTexture) \
+	X(ATTACHSHADER, AttachShader) \
+	X(BINDATTRIBLOCATION, BindAttribLocation) \
+	X(BINDBUFFER, BindBuffer) \
+	X(BINDFRAMEBUFFER, BindFramebuffer) \
+	X(BINDSAMPLER, BindSampler) \
+	X(BINDTEXTURE, BindTexture) \
+	X(BINDVERTEXARRAY, BindVertexArray) \
+	X(BLENDEQUATION, BlendEquation) \
+	X(BLENDFUNC, BlendFunc) \
+	X(BUFFERDATA, BufferData) \
+	X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
+	X(CLEARBUFFERFV, ClearBufferfv) \
+	X(COLORMASK, ColorMask) \
+	X(COMPILESHADER, CompileShader) \
+	X(CREATEPROGRAM, CreateProgram) \
+	X(CREATESHADER, CreateShader) \
+	X(CULLFACE, CullFace) \
+	X(DELETEBUFFERS, DeleteBuffers) \
+	X(DELETEFRAMEBUFFERS, DeleteFramebuffers) \
+	X(DELETEPROGRAM, DeleteProgram) \
+	X(DELETESAMPLERS, DeleteSamplers) \
+	X(DELETESHADER, DeleteShader) \
+	X(DELETETEXTURES, DeleteTextures) \
+	X(DELETEVERTEXARRAYS, DeleteVertexArrays) \
+	X(DEPTHFUNC, DepthFunc) \
+	X(DEPTHMASK, DepthMask) \
+	X(DISABLE, Disable) \
+	X(DRAWARRAYS, DrawArrays) \
+	X(DRAWBUFFERS, DrawBuffers) \
+	X(DRAWELEMENTS, DrawElements) \
+	X(ENABLE, Enable) \
+	X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+	X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
+	X(FRONTFACE, FrontFace) \
+	X(GENBUFFERS, GenBuffers) \
+	X(GENERATEMIPMAP, GenerateMipmap) \
+	X(GENFRAMEBUFFERS, GenFramebuffers) \
+	X(GENSAMPLERS, GenSamplers) \
+	X(GENTEXTURES, GenTextures) \
+	X(GENVERTEXARRAYS, GenVertexArrays) \
+	X(GETERROR, GetError) \
+	X(GETFRAMEBUFFERATTACHMENTPARAMETERIV, GetFramebufferAttachmentParameteriv) \
+	X(GETINTEGERV, GetIntegerv) \
+	X(GETPROGRAMINFOLOG, GetProgramInfoLog) \
+	X(GETPROGRAMIV, GetProgramiv) \
+	X(GETSHADERINFOLOG, GetShaderInfoLog) \
+	X(GETSHADERIV, GetShaderiv) \
+	X(GETSTRING, GetString) \
+	X(GETSTRINGI, GetStringi) \
+	X(GETUNIFORMLOCATION, GetUniformLocation) \
+	X(INVALIDATEFRAMEBUFFER, InvalidateFramebuffer) \
+	X(LINKPROGRAM, LinkProgram) \
+	X(PIXELSTOREI, PixelStorei) \
+	X(READBUFFER, ReadBuffer) \
+	X(SAMPLERPARAMETERI, SamplerParameteri) \
+	X(SCISSOR, Scissor) \
+	X(SHADERSOURCE, ShaderSource) \
+	X(TEXIMAGE2D, TexImage2D) \
+	X(TEXPARAMETERI, TexParameteri) \
+	X(TEXSTORAGE2D, TexStorage2D) \
+	X(TEXSUBIMAGE2D, TexSubImage2D) \
+	X(UNIFORM1F, Uniform1f) \
+	X(UNIFORM1I, Uniform1i) \
+	X(UNIFORM2F, Uniform2f) \
+	X(UNIFORM3F, Uniform3f) \
+	X(UNIFORM4F, Uniform4f) \
+	X(UNIFORMMATRIX3FV, UniformMatrix3fv) \
+	X(UNIFORMMATRIX4FV, UniformMatrix4fv) \
+	X(USEPROGRAM, UseProgram) \
+	X(VERTEXATTRIBPOINTER, VertexAttribPointer) \
+	X(VIEWPORT, Viewport)
+/* clang-format on */
+
+/** The GL entry points of one context, and a count of the objects made through them. */
+struct gl {
+#define GL_MEMBER(upper, name) PFNGL##upper##PROC name;
+	GL_FUNCTIONS(GL_MEMBER)
+#undef GL_MEMBER
+	gl_debug_message_callback DebugMessageCallback; /* the next three: NULL without KHR_debug */
+	gl_push_debug_group PushDebugGroup;
+	gl_pop_debug_group PopDebugGroup;
+	int objects; /* made and not yet deleted */
+};
+
+/** Resolves the ES 3.0 functions; fails (MACHINE) naming the first that is missing. */
+bool gl_load(struct gl *gl, sm_get_proc get_proc, struct sm_error *error);
+
+/** Resolves KHR_debug's functions under the names OpenGL ES gives them, and has the log receive
+ *  its messages. Call only when the extension string is there. */
+void gl_load_debug(struct gl *gl, sm_get_proc get_proc);
+
+/** Bracket GPU work for debuggers; nothing without KHR_debug. */
+void gl_push_group(struct gl *gl, const char *name);
+void gl_pop_group(struct gl *gl);
+
+/* Objects are counted, so that a leak is noticed when the renderer goes. Deleting 0 is fine, and
+ * sets *name to 0. */
+GLuint gl_create_buffer(struct gl *gl);
+void gl_delete_buffer(struct gl *gl, GLuint *name);
+GLuint gl_create_vertex_array(struct gl *gl);
+void gl_delete_vertex_array(struct gl *gl, GLuint *name);
+GLuint gl_create_texture(struct gl *gl);
+void gl_delete_texture(struct gl *gl, GLuint *name);
+GLuint gl_create_sampler(struct gl *gl);
+void gl_delete_sampler(struct gl *gl, GLuint *name);
+GLuint gl_create_framebuffer(struct gl *gl);
+void gl_delete_framebuffer(struct gl *gl, GLuint *name);
+GLuint gl_create_program(struct gl *gl);
+void gl_delete_program(struct gl *gl, GLuint *name);
+
+/** The oldest error since the last call, named, or NULL; the others are forgotten. */
+const char *gl_take_error(struct gl *gl);
+
+#endif

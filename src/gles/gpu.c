@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+#include "gles/gpu.h"
+#include "base/array.h"
+#include <assert.h>
+#include <stdlib.h>
+
+bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, struct sm_error *error)
+{
+	*gpu = (struct gpu){0};
+	if (!gl_load(&gpu->gl, get_proc, error) || !caps_init(&gpu->caps, &gpu->gl, error))
+		return false;
+	if (gpu->caps.KHR_debug)
+		gl_load_debug(&gpu->gl, get_proc);
+	return true;
+}
+
+void gpu_finish(struct gpu *gpu)
+{
+	if (gpu->gl.GetError == NULL)
+		return;
+	gl_delete_buffer(&gpu->gl, &gpu->quad_indices);
+	gpu_scene_finish(&gpu->scene, &gpu->gl);
+	program_cache_finish(&gpu->programs, &gpu->gl);
+	assert(gpu->gl.objects == 0);
+}
+
+static void draw_elements(struct gpu *gpu, size_t first, size_t count, GLenum type)
+{
+	size_t size = type == GL_UNSIGNED_SHORT ? sizeof(GLushort) : sizeof(GLuint);
+	gpu->gl.DrawElements(GL_TRIANGLES, (GLsizei)count, type, (const void *)(first * size));
+	gpu->stats.draw_calls++;
+	gpu->stats.triangles += count / 3;
+}
+
+/* Whether the whole box is in front of the near plane, z >= -w; false for NaN. */
+static bool box_beyond_near(const float min[3], const float max[3], mat4 to_clip)
+{
+	for (int corner = 0; corner < 8; corner++) {
+		vec4 p = {1.0f, 1.0f, 1.0f, 1.0f};
+		for (int axis = 0; axis < 3; axis++)
+			p[axis] = corner >> axis & 1 ? max[axis] : min[axis];
+		glm_mat4_mulv(to_clip, p, p);
+		if (!(p[2] >= -p[3]))
+			return false;
+	}
+	return true;
+}
+
+void gpu_set_faces(struct gpu *gpu, const struct mesh *mesh, mat4 transform, mat4 to_clip)
+{
+	struct gl *gl = &gpu->gl;
+	gl->FrontFace(glm_mat4_det(transform) < 0.0f ? GL_CW : GL_CCW);
+	if (mesh->solid && box_beyond_near(mesh->min, mesh->max, to_clip))
+		gl->Enable(GL_CULL_FACE);
+	else
+		gl->Disable(GL_CULL_FACE);
+}
+
+void gpu_draw_surface(
+	struct gpu *gpu, const struct gpu_mesh *mesh, size_t first_cluster, size_t cluster_count)
+{
+	size_t first = 3 * first_cluster * CLUSTER_TRIANGLES;
+	size_t count = 3 * cluster_count * CLUSTER_TRIANGLES;
+	size_t left = (size_t)mesh->surface_count - first;
+	gpu->gl.BindVertexArray(mesh->surface);
+	draw_elements(gpu, first, count < left ? count : left, mesh->surface_type);
+}
+
+void gpu_draw_caster(struct gpu *gpu, const struct gpu_mesh *mesh)
+{
+	gpu->gl.BindVertexArray(mesh->caster);
+	draw_elements(gpu, 0, (size_t)mesh->caster_count, mesh->caster_type);
+}
+
+static bool reserve_quads(struct gpu *gpu, size_t quad_count, struct sm_error *error)
+{
+	if (quad_count <= gpu->quad_capacity)
+		return true;
+	/* GLsizei counts the indices, 32 bits the vertices. */
+	if (quad_count > INT32_MAX / 6)
+		return error_set(error, SM_ERROR_MACHINE, "too many silhouette edges to draw");
+	size_t capacity = quad_count + quad_count / 2;
+	if (capacity > INT32_MAX / 6)
+		capacity = quad_count;
+	uint32_t *indices = array_alloc(capacity, 6 * sizeof(*indices));
+	if (indices == NULL)
+		return error_no_memory(error);
+	static const uint32_t corners[6] = {0, 1, 2, 0, 2, 3};
+	for (size_t i = 0; i < capacity * 6; i++)
+		indices[i] = (uint32_t)(i / 6 * 4) + corners[i % 6];
+	gpu->gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(capacity * 6 * sizeof(*indices)),
+		indices, GL_STATIC_DRAW);
+	free(indices);
+	gpu->quad_capacity = capacity;
+	return true;
+}
+
+bool gpu_draw_quads(struct gpu *gpu, size_t quad_count, struct sm_error *error)
+{
+	if (gpu->quad_indices == 0)
+		gpu->quad_indices = gl_create_buffer(&gpu->gl);
+	gpu->gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu->quad_indices);
+	if (!reserve_quads(gpu, quad_count, error))
+		return false;
+	draw_elements(gpu, 0, quad_count * 6, GL_UNSIGNED_INT);
+	return true;
+}
+
+void gpu_bind_texture(struct gpu *gpu, enum texture_unit unit, GLuint texture)
+{
+	gpu->gl.ActiveTexture(GL_TEXTURE0 + unit);
+	gpu->gl.BindTexture(GL_TEXTURE_2D, texture);
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GLES_GPU_H
+#define GLES_GPU_H
+
+#include "gles/caps.h"
+#include "gles/gpu_scene.h"
+#include "gles/program.h"
+#include "gles/texture_unit.h"
+
+/** What every pass works with: the context's functions and abilities, programs, the scene's
+ *  geometry, and the counters of the frame. */
+struct gpu {
+	struct gl gl;
+	struct caps caps;
+	struct program_cache programs;
+	struct gpu_scene scene;
+	GLuint quad_indices; /* 0 1 2, 0 2 3 for each quad */
+	size_t quad_capacity;
+	struct sm_frame_stats stats;
+};
+
+bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, struct sm_error *error);
+/** Fine on a half-made one. */
+void gpu_finish(struct gpu *gpu);
+
+/**
+ * Before an object's triangles are drawn: which way they are wound (a mirroring transform turns
+ * that), and whether back faces are left out, as they are of a solid that lies wholly beyond the
+ * near plane. to_clip: object to clip space.
+ */
+void gpu_set_faces(struct gpu *gpu, const struct mesh *mesh, mat4 transform, mat4 to_clip);
+
+/** Draws clusters of a mesh as seen, with the program in use. */
+void gpu_draw_surface(
+	struct gpu *gpu, const struct gpu_mesh *mesh, size_t first_cluster, size_t cluster_count);
+
+/** Draws a mesh as a caster. */
+void gpu_draw_caster(struct gpu *gpu, const struct gpu_mesh *mesh);
+
+/** Draws quads of the bound vertex array, four vertices each, whatever their number; fails
+ *  (MACHINE) for want of memory. */
+bool gpu_draw_quads(struct gpu *gpu, size_t quad_count, struct sm_error *error);
+
+void gpu_bind_texture(struct gpu *gpu, enum texture_unit unit, GLuint texture);
+
+#endif

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+#include "gles/gpu_scene.h"
+#include "base/array.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* As seen: 32 bytes, interleaved. */
+struct surface_vertex {
+	float position[3], normal[3], uv[2];
+};
+
+static void attribute(
+	struct gl *gl, enum attribute location, GLint size, size_t stride, size_t offset)
+{
+	gl->EnableVertexAttribArray(location);
+	gl->VertexAttribPointer(
+		location, size, GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void *)offset);
+}
+
+static void upload_vertices(
+	struct gl *gl, GLuint *buffer, const void *data, size_t bytes, uint64_t *uploaded)
+{
+	*buffer = gl_create_buffer(gl);
+	gl->BindBuffer(GL_ARRAY_BUFFER, *buffer);
+	gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, data, GL_STATIC_DRAW);
+	*uploaded += bytes;
+}
+
+/* 16-bit indices halve what the vertex stage reads; a mesh with more vertices needs 32. */
+static bool upload_indices(struct gl *gl, GLuint *buffer, const uint32_t *indices, size_t count,
+	size_t vertex_count, GLenum *type, uint64_t *uploaded)
+{
+	*buffer = gl_create_buffer(gl);
+	gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, *buffer);
+	if (vertex_count > UINT16_MAX) {
+		size_t bytes = count * sizeof(uint32_t);
+		*type = GL_UNSIGNED_INT;
+		gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)bytes, indices, GL_STATIC_DRAW);
+		*uploaded += bytes;
+		return true;
+	}
+	uint16_t *narrow = array_alloc(count, sizeof(*narrow));
+	if (narrow == NULL)
+		return false;
+	for (size_t i = 0; i < count; i++)
+		narrow[i] = (uint16_t)indices[i];
+	size_t bytes = count * sizeof(*narrow);
+	*type = GL_UNSIGNED_SHORT;
+	gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)bytes, narrow, GL_STATIC_DRAW);
+	*uploaded += bytes;
+	free(narrow);
+	return true;
+}
+
+static bool upload_surface(
+	struct gpu_mesh *gpu, struct gl *gl, const struct mesh *mesh, uint64_t *uploaded)
+{
+	struct surface_vertex *vertices = array_zalloc(mesh->vertex_count, sizeof(*vertices));
+	if (vertices == NULL)
+		return false;
+	for (size_t i = 0; i < mesh->vertex_count; i++) {
+		memcpy(vertices[i].position, mesh->positions[i], sizeof(vertices[i].position));
+		memcpy(vertices[i].normal, mesh->normals[i], sizeof(vertices[i].normal));
+		memcpy(vertices[i].uv, mesh->uvs[i], sizeof(vertices[i].uv));
+	}
+	gpu->surface = gl_create_vertex_array(gl);
+	gl->BindVertexArray(gpu->surface);
+	upload_vertices(gl, &gpu->surface_vertices, vertices,
+		mesh->vertex_count * sizeof(*vertices), uploaded);
+	free(vertices);
+	size_t stride = sizeof(struct surface_vertex);
+	attribute(gl, ATTRIBUTE_POSITION, 3, stride, offsetof(struct surface_vertex, position));
+	attribute(gl, ATTRIBUTE_NORMAL, 3, stride, offsetof(struct surface_vertex, normal));
+	attribute(gl, ATTRIBUTE_UV, 2, stride, offsetof(struct surface_vertex, uv));
+	gpu->surface_count = (GLsizei)mesh->index_count;
+	return upload_indices(gl, &gpu->surface_indices, mesh->indices, mesh->index_count,
+		mesh->vertex_count, &gpu->surface_type, uploaded);
+}
+
+static bool upload_caster(
+	struct gpu_mesh *gpu, struct gl *gl, const struct caster *caster, uint64_t *uploaded)
+{
+	gpu->caster = gl_create_vertex_array(gl);
+	gl->BindVertexArray(gpu->caster);
+	upload_vertices(gl, &gpu->caster_vertices, caster->positions,
+		caster->vertex_count * sizeof(*caster->positions), uploaded);
+	attribute(gl, ATTRIBUTE_POSITION, 3, sizeof(*caster->positions), 0);
+	size_t count = caster->triangle_count * 3;
+	gpu->caster_count = (GLsizei)count;
+	return upload_indices(gl, &gpu->caster_indices, caster->indices, count,
+		caster->vertex_count, &gpu->caster_type, uploaded);
+}
+
+static bool find_clusters(struct gpu_mesh *gpu, const struct mesh *mesh)
+{
+	size_t triangle_count = mesh->index_count / 3;
+	gpu->cluster_count = clusters_count(triangle_count);
+	gpu->clusters = array_alloc(gpu->cluster_count, sizeof(*gpu->clusters));
+	if (gpu->clusters == NULL)
+		return false;
+	clusters_find(
+		(const float(*)[3])mesh->positions, mesh->indices, triangle_count, gpu->clusters);
+	return true;
+}
+
+static void mesh_delete(struct gpu_mesh *gpu, struct gl *gl)
+{
+	gl_delete_vertex_array(gl, &gpu->surface);
+	gl_delete_buffer(gl, &gpu->surface_vertices);
+	gl_delete_buffer(gl, &gpu->surface_indices);
+	gl_delete_vertex_array(gl, &gpu->caster);
+	gl_delete_buffer(gl, &gpu->caster_vertices);
+	gl_delete_buffer(gl, &gpu->caster_indices);
+	free(gpu->clusters);
+}
+
+static bool mesh_upload(struct gpu_mesh *gpu, struct gl *gl, const struct mesh *mesh,
+	uint64_t *uploaded, struct sm_error *error)
+{
+	if (mesh->index_count > INT32_MAX || mesh->caster.triangle_count > INT32_MAX / 3)
+		return error_set(error, SM_ERROR_INPUT, "mesh %s: too large for one GL draw call",
+			mesh->name != NULL ? mesh->name : "without a name");
+	*gpu = (struct gpu_mesh){0};
+	bool done = upload_surface(gpu, gl, mesh, uploaded) &&
+		    upload_caster(gpu, gl, &mesh->caster, uploaded) && find_clusters(gpu, mesh);
+	gl->BindVertexArray(0);
+	if (done && gl_take_error(gl) == NULL)
+		return true;
+	mesh_delete(gpu, gl);
+	return error_set(error, SM_ERROR_MACHINE, "mesh %s: not enough memory for the GPU",
+		mesh->name != NULL ? mesh->name : "without a name");
+}
+
+static bool image_upload(GLuint *texture, struct gl *gl, const struct image *image,
+	uint64_t *uploaded, struct sm_error *error)
+{
+	*texture = gl_create_texture(gl);
+	gl->ActiveTexture(GL_TEXTURE0);
+	gl->BindTexture(GL_TEXTURE_2D, *texture);
+	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, (GLsizei)image->width,
+		(GLsizei)image->height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image->rgba);
+	gl->GenerateMipmap(GL_TEXTURE_2D);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+	*uploaded += (uint64_t)image->width * image->height * 4;
+	const char *problem = gl_take_error(gl);
+	if (problem == NULL)
+		return true;
+	gl_delete_texture(gl, texture);
+	return error_set(error, SM_ERROR_MACHINE, "no texture for an image of %ux%u texels: %s",
+		image->width, image->height, problem);
+}
+
+bool gpu_scene_update(struct gpu_scene *gpu, struct gl *gl, const struct sm_scene *scene,
+	uint64_t *uploaded, struct sm_error *error)
+{
+	if (gpu->scene_id != scene->id) {
+		gpu_scene_finish(gpu, gl);
+		gpu->scene_id = scene->id;
+	}
+	if (gpu->mesh_count == scene->mesh_count && gpu->image_count == scene->image_count)
+		return true;
+	size_t mesh_capacity = gpu->mesh_count, image_capacity = gpu->image_count;
+	if (!array_reserve((void **)&gpu->meshes, &mesh_capacity, scene->mesh_count,
+		    sizeof(*gpu->meshes)) ||
+		!array_reserve((void **)&gpu->images, &image_capacity, scene->image_count,
+			sizeof(*gpu->images)))
+		return error_no_memory(error);
+	gl_take_error(gl);
+	for (; gpu->mesh_count < scene->mesh_count; gpu->mesh_count++)
+		if (!mesh_upload(&gpu->meshes[gpu->mesh_count], gl, &scene->meshes[gpu->mesh_count],
+			    uploaded, error))
+			return false;
+	for (; gpu->image_count < scene->image_count; gpu->image_count++)
+		if (!image_upload(&gpu->images[gpu->image_count], gl,
+			    &scene->images[gpu->image_count], uploaded, error))
+			return false;
+	return true;
+}
+
+void gpu_scene_finish(struct gpu_scene *gpu, struct gl *gl)
+{
+	for (size_t i = 0; i < gpu->mesh_count; i++)
+		mesh_delete(&gpu->meshes[i], gl);
+	for (size_t i = 0; i < gpu->image_count; i++)
+		gl_delete_texture(gl, &gpu->images[i]);
+	free(gpu->meshes);
+	free(gpu->images);
+	*gpu = (struct gpu_scene){0};
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GLES_PROGRAM_H
+#define GLES_PROGRAM_H
+
+#include "gles/gl.h"
+#include "gles/shader_source.h"
+
+/* Every uniform any program has; a program lacks those its variant does not use. */
+/* clang-format off */
+#define UNIFORMS(X) \
+	X(object_to_clip) X(object_to_light) X(normal_to_light) X(up) \
+	X(base_color) X(base_texture) X(ambient_sky) X(ambient_ground) \
+	X(light_is_point) X(light_color) X(light_reach) X(light_cone) \
+	X(screen_w) X(screen_scale) X(screen_depth) X(map_size) X(bias_limit) \
+	X(depth_compare) X(depth_map) X(receiver_map) X(smoothie_map) X(smoothie_depth) \
+	X(falloff) X(near_to_far) X(pole)
+/* clang-format on */
+
+/** A linked program and where its uniforms are: -1 (which GL ignores) for absent ones. */
+struct program {
+	struct program_key key;
+	GLuint name;
+	struct {
+#define UNIFORM_MEMBER(name) GLint name;
+		UNIFORMS(UNIFORM_MEMBER)
+#undef UNIFORM_MEMBER
+	} uniform;
+};
+
+struct program_cache {
+	struct program **programs; /* owned, each on its own so that pointers stay */
+	size_t count, capacity;
+};
+
+/** The program of that variant, made on first use and put in use; owned by the cache. NULL on
+ *  failure (MACHINE), with the driver's log and the numbered source in the log. */
+const struct program *program_use(
+	struct program_cache *cache, struct gl *gl, struct program_key key, struct sm_error *error);
+/** Fine on a zeroed cache. */
+void program_cache_finish(struct program_cache *cache, struct gl *gl);
+
+#endif

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT */
+#include "gles/shader_source.h"
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+	uint32_t flag;
+	const char *name, *define;
+} flag_names[] = {
+#define FLAG(name)                                        \
+	{                                                 \
+		FLAG_##name, #name, "#define " #name "\n" \
+	}
+	FLAG(SINUSOID),
+	FLAG(DEPTH_ONLY),
+	FLAG(RECEIVER_MAP),
+	FLAG(LIT),
+	FLAG(SHADOWED),
+	FLAG(HARD),
+	FLAG(SMOOTHIE),
+	FLAG(SEPARATE_DEPTH),
+	FLAG(GATHER),
+	FLAG(TEXTURED),
+	FLAG(VISIBILITY),
+	FLAG(ENCODE_SRGB),
+#undef FLAG
+};
+
+#define FLAG_COUNT (sizeof(flag_names) / sizeof(flag_names[0]))
+
+/* Files of a stage, in order; one with a flag is left out unless the flag is on. */
+struct part {
+	const char *file;
+	uint32_t flag;
+};
+
+static const struct {
+	const char *name;
+	uint32_t flags; /* that mean something */
+	struct part parts[2][8];
+} programs[PROGRAM_KINDS] = {
+	[PROGRAM_DEPTH_MAP] =
+		{
+			.name = "depth-map",
+			.parts = {{{"depth_map.vert"}}, {{"depth_map.frag"}}},
+		},
+	[PROGRAM_FIN] =
+		{
+			.name = "fin",
+			.flags = FLAG_SINUSOID | FLAG_DEPTH_ONLY | FLAG_RECEIVER_MAP,
+			.parts =
+				{
+					{{"smoothie_fin.vert"}},
+					{{"common_light_depth.glsl"}, {"smoothie_fin.frag"}},
+				},
+		},
+	[PROGRAM_SURFACE] =
+		{
+			.name = "surface",
+			.flags = FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SMOOTHIE |
+				 FLAG_SEPARATE_DEPTH | FLAG_GATHER | FLAG_TEXTURED |
+				 FLAG_VISIBILITY | FLAG_ENCODE_SRGB,
+			.parts =
+				{
+					{{"surface.vert"}},
+					{
+						{"common_srgb.glsl", FLAG_ENCODE_SRGB},
+						{"common_light_depth.glsl", FLAG_SMOOTHIE},
+						{"shadow_receiver.glsl", FLAG_SHADOWED},
+						{"shadow_hard.glsl", FLAG_HARD},
+						{"shadow_smoothie.glsl", FLAG_SMOOTHIE},
+						{"surface.frag"},
+					},
+				},
+		},
+	[PROGRAM_COPY] =
+		{
+			.name = "copy",
+			.parts = {{{"copy.vert"}}, {{"common_srgb.glsl"}, {"copy.frag"}}},
+		},
+};
+
+static bool implies(uint32_t flags, uint32_t flag, uint32_t needed)
+{
+	return !(flags & flag) || (flags & needed) == needed;
+}
+
+static bool excludes(uint32_t flags, uint32_t flag, uint32_t other)
+{
+	return !(flags & flag) || !(flags & other);
+}
+
+bool program_key_is_valid(struct program_key key)
+{
+	uint32_t flags = key.flags;
+	if (flags & ~programs[key.kind].flags)
+		return false;
+	bool one_shadow = !(flags & FLAG_HARD) != !(flags & FLAG_SMOOTHIE);
+	bool any_shadow = flags & (FLAG_HARD | FLAG_SMOOTHIE);
+	return (flags & FLAG_SHADOWED ? one_shadow : !any_shadow) &&
+	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
+	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
+	       implies(flags, FLAG_GATHER, FLAG_SMOOTHIE) &&
+	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB) &&
+	       excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID);
+}
+
+static const char *file_text(const char *name)
+{
+	for (const struct shader_file *file = shader_files; file->name != NULL; file++)
+		if (strcmp(file->name, name) == 0)
+			return file->text;
+	assert(!"a shader file that is not in shaders_es/meson.build");
+	return "";
+}
+
+size_t shader_parts(
+	struct program_key key, enum shader_stage stage, const char *parts[SHADER_PARTS_MAX])
+{
+	size_t count = 0;
+	/* textureGather() came with 3.1; all else is 3.0. */
+	parts[count++] = key.flags & FLAG_GATHER ? "#version 310 es\n" : "#version 300 es\n";
+	parts[count++] = file_text("common_precision.glsl");
+	for (size_t i = 0; i < FLAG_COUNT; i++)
+		if (key.flags & flag_names[i].flag)
+			parts[count++] = flag_names[i].define;
+	const struct part *part = programs[key.kind].parts[stage];
+	for (; part->file != NULL; part++)
+		if (part->flag == 0 || key.flags & part->flag)
+			parts[count++] = file_text(part->file);
+	assert(count <= SHADER_PARTS_MAX);
+	return count;
+}
+
+const char *program_key_name(struct program_key key, char *text, size_t size)
+{
+	int used = snprintf(text, size, "%s", programs[key.kind].name);
+	for (size_t i = 0; i < FLAG_COUNT && used >= 0 && (size_t)used < size; i++)
+		if (key.flags & flag_names[i].flag)
+			used += snprintf(
+				text + used, size - (size_t)used, " %s", flag_names[i].name);
+	return text;
+}

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GLES_SHADER_SOURCE_H
+#define GLES_SHADER_SOURCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** A file of shaders_es/, embedded at build. The table ends with a NULL name. */
+struct shader_file {
+	const char *name, *text;
+};
+extern const struct shader_file shader_files[];
+
+enum program_kind { PROGRAM_DEPTH_MAP, PROGRAM_FIN, PROGRAM_SURFACE, PROGRAM_COPY, PROGRAM_KINDS };
+
+/** What a variant switches on: each bit is a #define of the name behind it (flag_names in
+ *  shader_source.c). */
+enum program_flag {
+	FLAG_SINUSOID = 1 << 0,
+	FLAG_DEPTH_ONLY = 1 << 1,
+	FLAG_RECEIVER_MAP = 1 << 2,
+	FLAG_LIT = 1 << 3,
+	FLAG_SHADOWED = 1 << 4,
+	FLAG_HARD = 1 << 5,
+	FLAG_SMOOTHIE = 1 << 6,
+	FLAG_SEPARATE_DEPTH = 1 << 7,
+	FLAG_GATHER = 1 << 8,
+	FLAG_TEXTURED = 1 << 9,
+	FLAG_VISIBILITY = 1 << 10,
+	FLAG_ENCODE_SRGB = 1 << 11,
+	FLAG_END = 1 << 12,
+};
+
+struct program_key {
+	enum program_kind kind;
+	uint32_t flags;
+};
+
+enum shader_stage { STAGE_VERTEX, STAGE_FRAGMENT };
+
+/** Whether the renderer may ask for this variant: all of these are checked when the project is
+ *  built. */
+bool program_key_is_valid(struct program_key key);
+
+#define SHADER_PARTS_MAX 24
+
+/** The strings that make up one stage, in order, as glShaderSource() takes them; none is owned.
+ *  Returns their number. */
+size_t shader_parts(
+	struct program_key key, enum shader_stage stage, const char *parts[SHADER_PARTS_MAX]);
+
+/** "surface LIT SHADOWED HARD", for messages. Returns text. */
+const char *program_key_name(struct program_key key, char *text, size_t size);
+
+#endif

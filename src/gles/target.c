@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+#include "gles/target.h"
+
+static void set_texture_parameters(struct gl *gl)
+{
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+bool target_init(struct target *target, struct gl *gl, GLsizei size, GLenum internal_format,
+	GLenum attachment, struct sm_error *error)
+{
+	gl_take_error(gl);
+	*target = (struct target){.size = size};
+	target->texture = gl_create_texture(gl);
+	gl->ActiveTexture(GL_TEXTURE0);
+	gl->BindTexture(GL_TEXTURE_2D, target->texture);
+	gl->TexStorage2D(GL_TEXTURE_2D, 1, internal_format, size, size);
+	set_texture_parameters(gl);
+	target->framebuffer = gl_create_framebuffer(gl);
+	gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+	gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, target->texture, 0);
+	if (attachment == GL_DEPTH_ATTACHMENT) {
+		GLenum none = GL_NONE;
+		gl->DrawBuffers(1, &none);
+		gl->ReadBuffer(GL_NONE);
+	}
+	const char *problem = gl_take_error(gl);
+	if (problem == NULL &&
+		gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+		problem = "the driver cannot render to this format";
+	if (problem != NULL)
+		return error_set(error, SM_ERROR_MACHINE, "no texture of %dx%d texels: %s", size,
+			size, problem);
+	return true;
+}
+
+void target_finish(struct target *target, struct gl *gl)
+{
+	gl_delete_framebuffer(gl, &target->framebuffer);
+	gl_delete_texture(gl, &target->texture);
+}
+
+void target_bind(const struct target *target, struct gl *gl)
+{
+	gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+	gl->Viewport(0, 0, target->size, target->size);
+}
+
+void target_spare_border(const struct target *target, struct gl *gl)
+{
+	GLsizei inside = target->size > 2 ? target->size - 2 : 0;
+	gl->Enable(GL_SCISSOR_TEST);
+	gl->Scissor(1, 1, inside, inside);
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GLES_TARGET_H
+#define GLES_TARGET_H
+
+#include "gles/gl.h"
+
+/** A square texture, and the framebuffer that draws into it alone. */
+struct target {
+	GLuint texture, framebuffer;
+	GLsizei size; /* texels a side */
+};
+
+/** Nearest filtering, clamped to the edge. attachment:
+ * GL_COLOR_ATTACHMENT0 or GL_DEPTH_ATTACHMENT. Leaves the target bound as framebuffer. On failure
+ * (MACHINE) finish() is still to be called. */
+bool target_init(struct target *target, struct gl *gl, GLsizei size, GLenum internal_format,
+	GLenum attachment, struct sm_error *error);
+/** Fine on a half-made or zeroed target. */
+void target_finish(struct target *target, struct gl *gl);
+
+/** Binds framebuffer and viewport. */
+void target_bind(const struct target *target, struct gl *gl);
+
+/** Has drawing leave the outermost texels as they are cleared, until the scissor test is disabled:
+ *  look-ups beside the texture are clamped to them, and find nothing. */
+void target_spare_border(const struct target *target, struct gl *gl);
+
+#endif

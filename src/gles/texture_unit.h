@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GLES_TEXTURE_UNIT_H
+#define GLES_TEXTURE_UNIT_H
+
+/** Which unit each sampler reads, in every program. ES 3.0 has 16 of them. */
+enum texture_unit {
+	UNIT_BASE,
+	UNIT_DEPTH_COMPARE, /* through a comparing sampler object */
+	UNIT_DEPTH,         /* the same texture, read plainly */
+	UNIT_RECEIVER,
+	UNIT_SMOOTHIE,
+	UNIT_SMOOTHIE_DEPTH,
+	UNIT_FALLOFF,
+	UNIT_COUNT,
+};
+
+#endif
