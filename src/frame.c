@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+#include "accumulator.h"
+#include "base/array.h"
+#include "scene/camera.h"
+#include "surface_pass.h"
+#include <stdlib.h>
+
+static bool framebuffer_is_srgb(struct gl *gl, uint32_t framebuffer)
+{
+	GLint encoding = GL_LINEAR;
+	gl->GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER,
+		framebuffer != 0 ? GL_COLOR_ATTACHMENT0 : GL_BACK,
+		GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
+	return encoding == GL_SRGB;
+}
+
+static float encode_srgb(float c)
+{
+	return c <= 0.0031308f ? 12.92f * c : 1.055f * powf(c, 1.0f / 2.4f) - 0.055f;
+}
+
+static void clear(struct gl *gl, const struct sm_scene *scene, uint32_t flags)
+{
+	GLfloat color[4] = {1.0f, 1.0f, 1.0f, 1.0f};
+	for (int i = 0; i < 3 && !(flags & FLAG_VISIBILITY); i++) {
+		float c = scene->environment.background[i];
+		color[i] = flags & FLAG_ENCODE_SRGB ? encode_srgb(c) : c;
+	}
+	/* 65535 as high and low byte: lit. */
+	if (flags & FLAG_VISIBILITY)
+		color[2] = 0.0f;
+	gl->DepthMask(GL_TRUE);
+	gl->ClearBufferfv(GL_COLOR, 0, color);
+	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
+}
+
+static void set_pass_state(struct gl *gl, bool first)
+{
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(first ? GL_LESS : GL_EQUAL);
+	gl->DepthMask(first);
+	if (first) {
+		gl->Disable(GL_BLEND);
+	} else {
+		gl->Enable(GL_BLEND);
+		gl->BlendFunc(GL_ONE, GL_ONE);
+	}
+}
+
+static void restore_state(struct gl *gl)
+{
+	gl->Disable(GL_BLEND);
+	gl->BlendFunc(GL_ONE, GL_ZERO);
+	gl->Disable(GL_CULL_FACE);
+	gl->FrontFace(GL_CCW);
+	gl->Disable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_LESS);
+	gl->DepthMask(GL_TRUE);
+	gl->BindVertexArray(0);
+	gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+	gl->UseProgram(0);
+	for (GLuint unit = 0; unit < UNIT_COUNT; unit++) {
+		gl->ActiveTexture(GL_TEXTURE0 + unit);
+		gl->BindTexture(GL_TEXTURE_2D, 0);
+		gl->BindSampler(unit, 0);
+	}
+	gl->ActiveTexture(GL_TEXTURE0);
+}
+
+/* Shadow maps of lights first .. last - 1, then their surfaces, one light after the other. The
+ * maps come first so that a tiled GPU need not store and load the picture between two lights. */
+static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last,
+	struct light_frame *frames, void **shadows, GLuint framebuffer, const struct sm_view *view,
+	struct sm_error *error)
+{
+	struct sm_renderer *renderer = pass->renderer;
+	struct gl *gl = &renderer->gpu.gl;
+	for (uint32_t i = first; i < last; i++) {
+		light_frame_init(&frames[i - first], &pass->scene->lights[i].desc, pass->scene);
+		shadows[i - first] = shadow_set_prepare(&renderer->shadows, &renderer->gpu,
+			pass->scene, i - first, &frames[i - first], error);
+		if (shadows[i - first] == NULL)
+			return false;
+		renderer->gpu.stats.lights++;
+	}
+	gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+	gl->Viewport(0, 0, (GLsizei)view->width, (GLsizei)view->height);
+	clear(gl, pass->scene, pass->flags);
+	pass->first = true;
+	set_pass_state(gl, true);
+	if (first == last)
+		return surface_pass_draw(pass, error);
+	for (uint32_t i = first; i < last; i++) {
+		pass->light = &pass->scene->lights[i].desc;
+		pass->frame = &frames[i - first];
+		pass->shadow = shadows[i - first];
+		if (!surface_pass_draw(pass, error))
+			return false;
+		pass->first = false;
+		set_pass_state(gl, false);
+	}
+	return true;
+}
+
+static bool draw_view(struct surface_pass *pass, const struct sm_view *view, uint32_t first,
+	uint32_t last, GLuint framebuffer, struct sm_error *error)
+{
+	size_t count = last - first;
+	struct light_frame *frames = array_alloc(count, sizeof(*frames));
+	void **shadows = array_alloc(count, sizeof(*shadows));
+	bool drawn = frames != NULL && shadows != NULL;
+	if (drawn)
+		drawn = draw_lights(pass, first, last, frames, shadows, framebuffer, view, error);
+	else
+		error_no_memory(error);
+	free(frames);
+	free(shadows);
+	return drawn;
+}
+
+static bool check_view(const struct sm_renderer *renderer, const struct sm_scene *scene,
+	const struct sm_view *view, struct sm_error *error)
+{
+	const GLint *limit = renderer->gpu.caps.max_viewport;
+	if (view->width == 0 || view->height == 0 || view->width > (uint32_t)limit[0] ||
+		view->height > (uint32_t)limit[1])
+		return error_set(error, SM_ERROR_INPUT,
+			"a picture of %ux%u pixels; this driver draws from 1x1 to %dx%d",
+			view->width, view->height, limit[0], limit[1]);
+	if (view->visibility_of != SM_NONE && view->visibility_of >= scene->light_count)
+		return error_set(error, SM_ERROR_INPUT, "no light %u to show; the scene has %zu",
+			view->visibility_of, scene->light_count);
+	return true;
+}
+
+bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
+	const struct sm_view *view, struct sm_error *error)
+{
+	struct gpu *gpu = &renderer->gpu;
+	struct gl *gl = &gpu->gl;
+	mat4 world_to_clip;
+	if (!check_view(renderer, scene, view, error) ||
+		!camera_world_to_clip(
+			&view->camera, scene, view->width, view->height, world_to_clip, error) ||
+		!gpu_scene_update(&gpu->scene, gl, scene, &gpu->stats.uploaded_bytes, error))
+		return false;
+	struct surface_pass pass = {.renderer = renderer,
+		.scene = scene,
+		.world_to_clip = world_to_clip,
+		.width = view->width,
+		.height = view->height};
+	bool visibility = view->visibility_of != SM_NONE;
+	uint32_t first = visibility ? view->visibility_of : 0;
+	uint32_t last = visibility ? first + 1 : (uint32_t)scene->light_count;
+	gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
+	if (visibility)
+		pass.flags = FLAG_VISIBILITY;
+	else if (!framebuffer_is_srgb(gl, view->framebuffer))
+		pass.flags = FLAG_ENCODE_SRGB;
+	/* Adding lights up takes linear light, which blending has on sRGB framebuffers alone. */
+	bool accumulate = pass.flags & FLAG_ENCODE_SRGB && last - first > 1;
+	GLuint framebuffer = view->framebuffer;
+	if (accumulate) {
+		pass.flags = 0;
+		if (!accumulator_bind(&renderer->accumulator, gl, view->width, view->height, error))
+			return false;
+		framebuffer = renderer->accumulator.framebuffer;
+	}
+	bool drawn = draw_view(&pass, view, first, last, framebuffer, error);
+	if (drawn && accumulate) {
+		gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
+		drawn = accumulator_copy(&renderer->accumulator, gpu, error);
+	}
+	restore_state(gl);
+	return drawn;
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+#include "renderer.h"
+#include "accumulator.h"
+#include "base/log.h"
+#include <stdlib.h>
+
+struct sm_renderer *sm_renderer_create(sm_get_proc get_proc, struct sm_error *error)
+{
+	struct sm_renderer *renderer = calloc(1, sizeof(*renderer));
+	if (renderer == NULL) {
+		error_no_memory(error);
+		return NULL;
+	}
+	static const struct sm_shadow_options defaults;
+	if (gpu_init(&renderer->gpu, get_proc, error) &&
+		shadow_set_init(&renderer->shadows, &defaults, &renderer->gpu.caps, error))
+		return renderer;
+	sm_renderer_destroy(renderer);
+	return NULL;
+}
+
+void sm_renderer_destroy(struct sm_renderer *renderer)
+{
+	if (renderer == NULL)
+		return;
+	shadow_set_finish(&renderer->shadows, &renderer->gpu);
+	accumulator_finish(&renderer->accumulator, &renderer->gpu.gl);
+	gpu_finish(&renderer->gpu);
+	free(renderer->soft);
+	free(renderer);
+}
+
+bool sm_renderer_set_shadows(struct sm_renderer *renderer, const struct sm_shadow_options *options,
+	struct sm_error *error)
+{
+	struct shadow_set set;
+	if (!shadow_set_init(&set, options, &renderer->gpu.caps, error))
+		return false;
+	shadow_set_finish(&renderer->shadows, &renderer->gpu);
+	renderer->shadows = set;
+	return true;
+}
+
+const char *sm_technique_name(size_t index)
+{
+	const struct technique *technique = technique_at(index);
+	return technique != NULL ? technique->name : NULL;
+}
+
+const char *sm_technique_summary(size_t index)
+{
+	const struct technique *technique = technique_at(index);
+	return technique != NULL ? technique->summary : NULL;
+}
+
+bool sm_renderer_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
+	const struct sm_view *view, struct sm_error *error)
+{
+	renderer->gpu.stats = (struct sm_frame_stats){0};
+	gl_take_error(&renderer->gpu.gl);
+	bool drawn = frame_draw(renderer, scene, view, error);
+	const char *problem = gl_take_error(&renderer->gpu.gl);
+	if (drawn && problem != NULL)
+		return error_set(error, SM_ERROR_MACHINE, "drawing failed: %s", problem);
+	return drawn;
+}
+
+void sm_renderer_get_stats(const struct sm_renderer *renderer, struct sm_frame_stats *stats)
+{
+	*stats = renderer->gpu.stats;
+}
+
+void sm_renderer_describe(const struct sm_renderer *renderer, sm_fact fact, void *data)
+{
+	caps_describe(&renderer->gpu.caps, fact, data);
+	for (size_t i = 0; technique_at(i) != NULL; i++) {
+		char key[64];
+		snprintf(key, sizeof(key), "technique %s", technique_at(i)->name);
+		fact(data, key, technique_at(i)->summary);
+	}
+}
+
+void sm_set_log(sm_log log, void *data)
+{
+	log_set_sink(log, data);
+}
+
+const char *sm_version(void)
+{
+	return SM_VERSION;
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT */
+#include "shadow_set.h"
+#include "base/array.h"
+#include <stdlib.h>
+
+#define MAP_SIZE_DEFAULT 1024
+
+static bool check_used(const struct sm_shadow_options *options, const struct technique *technique,
+	struct sm_error *error)
+{
+	const struct {
+		const char *name;
+		enum technique_option option;
+		bool set;
+	} fields[] = {
+		{"width", OPTION_WIDTH, options->width != 0.0f},
+		{"falloff", OPTION_FALLOFF, options->falloff != SM_FALLOFF_DEFAULT},
+		{"passes", OPTION_PASSES, options->passes != 0},
+	};
+	for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); i++)
+		if (fields[i].set && !(technique->options & fields[i].option))
+			return error_set(error, SM_ERROR_INPUT,
+				"shadow %s does nothing with the technique \"%s\"; leave it out",
+				fields[i].name, technique->name);
+	return true;
+}
+
+static bool check_range(
+	const struct sm_shadow_options *options, const struct caps *caps, struct sm_error *error)
+{
+	if (options->map_size > (uint32_t)caps->max_texture_size)
+		return error_set(error, SM_ERROR_INPUT,
+			"a shadow map of %u texels a side; this driver's limit is %d",
+			options->map_size, caps->max_texture_size);
+	if (!(options->width >= 0.0f && options->width <= 1.0f))
+		return error_set(error, SM_ERROR_INPUT,
+			"a smoothie width of %g; it goes from 0 to 1 (0: from the light's radius)",
+			(double)options->width);
+	if (options->passes > 2)
+		return error_set(
+			error, SM_ERROR_INPUT, "%u smoothie passes; 1 or 2", options->passes);
+	return true;
+}
+
+static const struct technique *find_technique(const char *name, struct sm_error *error)
+{
+	const struct technique *technique = name != NULL ? technique_find(name) : technique_at(0);
+	if (technique != NULL)
+		return technique;
+	char names[200] = "";
+	size_t used = 0;
+	for (size_t i = 0; technique_at(i) != NULL && used < sizeof(names); i++)
+		used += (size_t)snprintf(names + used, sizeof(names) - used, "%s%s",
+			i > 0 ? ", " : "", technique_at(i)->name);
+	error_set(error, SM_ERROR_INPUT, "no technique \"%s\"; there are: %s", name, names);
+	return NULL;
+}
+
+bool shadow_set_init(struct shadow_set *set, const struct sm_shadow_options *options,
+	const struct caps *caps, struct sm_error *error)
+{
+	*set = (struct shadow_set){.options = *options};
+	set->technique = find_technique(options->technique, error);
+	if (set->technique == NULL || !check_used(options, set->technique, error) ||
+		!check_range(options, caps, error))
+		return false;
+	set->options.technique = NULL;
+	if (set->options.map_size == 0)
+		set->options.map_size = MAP_SIZE_DEFAULT;
+	if (set->options.falloff == SM_FALLOFF_DEFAULT)
+		set->options.falloff = SM_FALLOFF_LINEAR;
+	if (set->options.passes == 0)
+		set->options.passes = 1;
+	return true;
+}
+
+static void state_destroy(struct shadow_set *set, struct gpu *gpu, void *state)
+{
+	set->technique->finish(state, gpu);
+	free(state);
+}
+
+void shadow_set_finish(struct shadow_set *set, struct gpu *gpu)
+{
+	for (size_t i = 0; i < set->count; i++)
+		state_destroy(set, gpu, set->states[i]);
+	free(set->states);
+	*set = (struct shadow_set){0};
+}
+
+static bool add_state(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)
+{
+	if (!array_reserve((void **)&set->states, &set->capacity, set->count + 1, sizeof(void *)))
+		return error_no_memory(error);
+	void *state = calloc(1, set->technique->state_size);
+	if (state == NULL)
+		return error_no_memory(error);
+	if (!set->technique->init(state, gpu, &set->options, error)) {
+		state_destroy(set, gpu, state);
+		return false;
+	}
+	set->states[set->count++] = state;
+	return true;
+}
+
+void *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu, const struct sm_scene *scene,
+	size_t index, const struct light_frame *frame, struct sm_error *error)
+{
+	while (set->count <= index)
+		if (!add_state(set, gpu, error))
+			return NULL;
+	if (!set->technique->prepare(set->states[index], gpu, scene, frame, error))
+		return NULL;
+	return set->states[index];
+}

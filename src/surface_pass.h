@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SURFACE_PASS_H
+#define SURFACE_PASS_H
+
+#include "renderer.h"
+
+/** One pass over the surfaces: the ambient light and the first light, or a further light. */
+struct surface_pass {
+	struct sm_renderer *renderer;
+	const struct sm_scene *scene;
+	vec4 *world_to_clip;
+	uint32_t width, height;            /* of the picture */
+	const struct sm_light_desc *light; /* NULL: ambient light alone */
+	const struct light_frame *frame;   /* of the light */
+	const void *shadow;                /* state of the technique, for the light */
+	bool first;
+	uint32_t flags;                /* for all surfaces: VISIBILITY, ENCODE_SRGB */
+	const struct program *program; /* in use; of the pass itself */
+	/* Where the technique may soften: on the light's screen (not owned; NULL: everywhere), and
+	 * in the picture; of the pass itself. */
+	const struct screen_grid *soft_cells;
+	struct screen_grid soft_tiles;
+};
+
+/** Draws every object into the framebuffer that is bound. */
+bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error);
+
+#endif

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TECHNIQUE_DEPTH_MAP_H
+#define TECHNIQUE_DEPTH_MAP_H
+
+#include "gles/target.h"
+#include "technique/technique.h"
+
+/** A light's shadow map: a depth texture, read plainly or compared. */
+struct depth_map {
+	struct target target;
+	GLuint compare; /* sampler: LEQUAL, linear */
+};
+
+bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size, struct sm_error *error);
+void depth_map_finish(struct depth_map *map, struct gpu *gpu);
+
+/** Which objects a map holds. */
+enum depth_map_content { DEPTH_OF_CASTERS, DEPTH_OF_RECEIVERS_ONLY };
+
+/** True if the scene has objects of that kind. */
+bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content content);
+
+/** Clears the map and draws the objects into it. */
+bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error);
+
+/** Binds the map for a surface program, and sets the uniforms of shadow_receiver.glsl. */
+void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program);
+
+#endif

@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+#include "technique/depth_map.h"
+
+struct hard {
+	struct depth_map map;
+};
+
+static bool hard_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+	struct sm_error *error)
+{
+	struct hard *hard = state;
+	return depth_map_init(&hard->map, gpu, options->map_size, error);
+}
+
+static void hard_finish(void *state, struct gpu *gpu)
+{
+	struct hard *hard = state;
+	depth_map_finish(&hard->map, gpu);
+}
+
+static bool hard_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	struct hard *hard = state;
+	return depth_map_draw(&hard->map, gpu, scene, frame, DEPTH_OF_CASTERS, error);
+}
+
+static uint32_t hard_surface_flags(const void *state)
+{
+	(void)state;
+	return FLAG_HARD;
+}
+
+static void hard_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	const struct hard *hard = state;
+	depth_map_bind(&hard->map, gpu, frame, program);
+}
+
+const struct technique technique_hard = {
+	.name = "hard",
+	.summary = "an ordinary shadow map, compared at the four nearest texels",
+	.state_size = sizeof(struct hard),
+	.init = hard_init,
+	.finish = hard_finish,
+	.prepare = hard_prepare,
+	.surface_flags = hard_surface_flags,
+	.bind = hard_bind,
+};

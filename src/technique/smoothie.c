@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+#include "technique/depth_map.h"
+#include "technique/fin_stream.h"
+
+/* Chan & Durand 2003. The smoothie buffer holds linear depth and alpha'. Minimum is what both are
+ * reduced by, nearest depth and darkest alpha, so that one MIN-blended pass fills it; with
+ * options.passes = 2 it is filled as in the paper, by a depth-tested pass and a MIN-blended one. */
+struct smoothie {
+	struct depth_map casters;
+	struct depth_map receivers; /* of objects that only receive: made when there are any */
+	struct target buffer;
+	struct target depth; /* with two passes */
+	GLuint falloff;      /* table of the sinusoid */
+	struct fin_stream fins;
+	float width;
+	bool sinusoid, two_passes;
+	uint32_t surface_flags;
+};
+
+#define FALLOFF_SIZE 256
+
+static void make_falloff(struct smoothie *smoothie, struct gl *gl)
+{
+	uint8_t table[FALLOFF_SIZE];
+	for (int i = 0; i < FALLOFF_SIZE; i++) {
+		double alpha = i / (FALLOFF_SIZE - 1.0);
+		table[i] = (uint8_t)lround(255.0 * (0.5 - 0.5 * cos(GLM_PI * alpha)));
+	}
+	smoothie->falloff = gl_create_texture(gl);
+	gl->ActiveTexture(GL_TEXTURE0);
+	gl->BindTexture(GL_TEXTURE_2D, smoothie->falloff);
+	gl->TexImage2D(
+		GL_TEXTURE_2D, 0, GL_R8, FALLOFF_SIZE, 1, 0, GL_RED, GL_UNSIGNED_BYTE, table);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+static bool smoothie_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+	struct sm_error *error)
+{
+	struct smoothie *smoothie = state;
+	struct gl *gl = &gpu->gl;
+	GLsizei size = (GLsizei)options->map_size;
+	smoothie->width = options->width;
+	smoothie->sinusoid = options->falloff == SM_FALLOFF_SINUSOID;
+	smoothie->two_passes = options->passes == 2;
+	smoothie->surface_flags = FLAG_SMOOTHIE | (smoothie->two_passes ? FLAG_SEPARATE_DEPTH : 0) |
+				  (gpu->caps.texture_gather ? FLAG_GATHER : 0);
+	fin_stream_init(&smoothie->fins, gpu);
+	if (smoothie->sinusoid)
+		make_falloff(smoothie, gl);
+	if (!depth_map_init(&smoothie->casters, gpu, options->map_size, error) ||
+		!target_init(&smoothie->buffer, gl, size, gpu->caps.smoothie_format.internal_format,
+			GL_COLOR_ATTACHMENT0, error))
+		return false;
+	return !smoothie->two_passes || target_init(&smoothie->depth, gl, size,
+						GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error);
+}
+
+static void smoothie_finish(void *state, struct gpu *gpu)
+{
+	struct smoothie *smoothie = state;
+	fin_stream_finish(&smoothie->fins, gpu);
+	gl_delete_texture(&gpu->gl, &smoothie->falloff);
+	target_finish(&smoothie->depth, &gpu->gl);
+	target_finish(&smoothie->buffer, &gpu->gl);
+	depth_map_finish(&smoothie->receivers, gpu);
+	depth_map_finish(&smoothie->casters, gpu);
+}
+
+/* A fin's texel asks for the distance of the receiver, which need not be a caster. */
+static bool draw_receivers(struct smoothie *smoothie, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	if (smoothie->receivers.target.texture == 0 &&
+		!depth_map_init(
+			&smoothie->receivers, gpu, (uint32_t)smoothie->casters.target.size, error))
+		return false;
+	return depth_map_draw(
+		&smoothie->receivers, gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, error);
+}
+
+static bool draw_fins(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
+	uint32_t flags, struct sm_error *error)
+{
+	struct program_key key = {.kind = PROGRAM_FIN, .flags = flags};
+	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
+	if (program == NULL)
+		return false;
+	gpu->gl.Uniform1f(program->uniform.near_to_far, frame->near_to_far);
+	gpu->gl.Uniform1f(program->uniform.pole, frame->pole);
+	return fin_stream_draw(&smoothie->fins, gpu, error);
+}
+
+/* The paper's first pass: the nearest fin's depth, by the depth test. */
+static bool draw_depth(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
+	uint32_t flags, struct sm_error *error)
+{
+	struct gl *gl = &gpu->gl;
+	target_bind(&smoothie->depth, gl);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_LESS);
+	gl->DepthMask(GL_TRUE);
+	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
+	return draw_fins(
+		smoothie, gpu, frame, (flags & ~(uint32_t)FLAG_SINUSOID) | FLAG_DEPTH_ONLY, error);
+}
+
+static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
+	const struct light_frame *frame, uint32_t flags, struct sm_error *error)
+{
+	struct gl *gl = &gpu->gl;
+	static const GLfloat lit[4] = {1.0f, 1.0f, 1.0f, 1.0f};
+	target_bind(&smoothie->buffer, gl);
+	gl->Disable(GL_SCISSOR_TEST);
+	gl->Disable(GL_DEPTH_TEST);
+	gl->ClearBufferfv(GL_COLOR, 0, lit);
+	gl->Enable(GL_BLEND);
+	gl->BlendEquation(GL_MIN);
+	target_spare_border(&smoothie->buffer, gl);
+	bool drawn = draw_fins(smoothie, gpu, frame, flags, error);
+	gl->BlendEquation(GL_FUNC_ADD);
+	gl->Disable(GL_BLEND);
+	return drawn;
+}
+
+static bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	struct smoothie *smoothie = state;
+	uint32_t flags = smoothie->sinusoid ? FLAG_SINUSOID : 0;
+	if (!depth_map_draw(&smoothie->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
+		!fin_stream_update(&smoothie->fins, gpu, scene, frame, smoothie->width,
+			smoothie->casters.target.size, error))
+		return false;
+	if (smoothie->fins.vertex_count > 0 &&
+		depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
+		flags |= FLAG_RECEIVER_MAP;
+		if (!draw_receivers(smoothie, gpu, scene, frame, error))
+			return false;
+	}
+	gl_push_group(&gpu->gl, __func__);
+	gpu_bind_texture(gpu, UNIT_DEPTH, smoothie->casters.target.texture);
+	gpu_bind_texture(gpu, UNIT_RECEIVER, smoothie->receivers.target.texture);
+	gpu_bind_texture(gpu, UNIT_FALLOFF, smoothie->falloff);
+	bool drawn = (!smoothie->two_passes || draw_depth(smoothie, gpu, frame, flags, error)) &&
+		     draw_minimum(smoothie, gpu, frame, flags, error);
+	gpu->gl.Disable(GL_SCISSOR_TEST);
+	gl_pop_group(&gpu->gl);
+	return drawn;
+}
+
+static uint32_t smoothie_surface_flags(const void *state)
+{
+	const struct smoothie *smoothie = state;
+	return smoothie->surface_flags;
+}
+
+static const struct screen_grid *smoothie_soft_grid(const void *state)
+{
+	const struct smoothie *smoothie = state;
+	return &smoothie->fins.grid;
+}
+
+static void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	const struct smoothie *smoothie = state;
+	depth_map_bind(&smoothie->casters, gpu, frame, program);
+	gpu_bind_texture(gpu, UNIT_DEPTH, smoothie->casters.target.texture);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE, smoothie->buffer.texture);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE_DEPTH, smoothie->depth.texture);
+	gpu->gl.Uniform1f(program->uniform.near_to_far, frame->near_to_far);
+}
+
+const struct technique technique_smoothie = {
+	.name = "smoothie",
+	.summary = "soft shadows by fins on silhouettes (Chan & Durand 2003)",
+	.options = OPTION_WIDTH | OPTION_FALLOFF | OPTION_PASSES,
+	.state_size = sizeof(struct smoothie),
+	.init = smoothie_init,
+	.finish = smoothie_finish,
+	.prepare = smoothie_prepare,
+	.surface_flags = smoothie_surface_flags,
+	.soft_grid = smoothie_soft_grid,
+	.bind = smoothie_bind,
+};

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+#include "technique/technique.h"
+#include <string.h>
+
+static const struct technique *const techniques[] = {&technique_smoothie, &technique_hard};
+
+const struct technique *technique_at(size_t index)
+{
+	return index < sizeof(techniques) / sizeof(techniques[0]) ? techniques[index] : NULL;
+}
+
+const struct technique *technique_find(const char *name)
+{
+	const struct technique *technique;
+	for (size_t i = 0; (technique = technique_at(i)) != NULL; i++)
+		if (strcmp(technique->name, name) == 0)
+			break;
+	return technique;
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TECHNIQUE_TECHNIQUE_H
+#define TECHNIQUE_TECHNIQUE_H
+
+#include "geom/screen_grid.h"
+#include "gles/gpu.h"
+#include "scene/light.h"
+
+/** Fields of sm_shadow_options that not every technique uses. */
+enum technique_option {
+	OPTION_WIDTH = 1 << 0,
+	OPTION_FALLOFF = 1 << 1,
+	OPTION_PASSES = 1 << 2,
+};
+
+/** One way to make shadows. The state is one light's: its textures, and what fills them. */
+struct technique {
+	const char *name, *summary;
+	unsigned int options; /* technique_option bits that it uses */
+	size_t state_size;    /* zeroed before init */
+
+	/** options: every 0 replaced by its default, where it has one. */
+	bool (*init)(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+		struct sm_error *error);
+	/** Tolerates a half-made or zeroed state. */
+	void (*finish)(void *state, struct gpu *gpu);
+	/** Draws what the light sees. Leaves blending and culling off. */
+	bool (*prepare)(void *state, struct gpu *gpu, const struct sm_scene *scene,
+		const struct light_frame *frame, struct sm_error *error);
+	/** Flags of PROGRAM_SURFACE for surfaces that receive. */
+	uint32_t (*surface_flags)(const void *state);
+	/** Where on the light's screen surfaces may look otherwise than FLAG_HARD draws them, for
+	 *  which bind() serves as well; owned by the state. NULL: everywhere. */
+	const struct screen_grid *(*soft_grid)(const void *state);
+	/** Binds textures and sets uniforms of a program with these flags, in use. */
+	void (*bind)(const void *state, struct gpu *gpu, const struct light_frame *frame,
+		const struct program *program);
+};
+
+extern const struct technique technique_hard, technique_smoothie;
+
+/** NULL past the last one. */
+const struct technique *technique_at(size_t index);
+/** NULL if there is none of that name. */
+const struct technique *technique_find(const char *name);
+
+#endif
