@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+#include "egl.h"
+#include "base/error.h"
+#include "base/log.h"
+#include <EGL/eglext.h>
+#include <string.h>
+
+static const char *error_name(EGLint code)
+{
+	static const struct {
+		EGLint code;
+		const char *name;
+	} names[] = {
+		{EGL_SUCCESS, "no error"},
+		{EGL_NOT_INITIALIZED, "EGL_NOT_INITIALIZED"},
+		{EGL_BAD_ACCESS, "EGL_BAD_ACCESS"},
+		{EGL_BAD_ALLOC, "EGL_BAD_ALLOC"},
+		{EGL_BAD_ATTRIBUTE, "EGL_BAD_ATTRIBUTE"},
+		{EGL_BAD_CONFIG, "EGL_BAD_CONFIG"},
+		{EGL_BAD_CONTEXT, "EGL_BAD_CONTEXT"},
+		{EGL_BAD_DISPLAY, "EGL_BAD_DISPLAY"},
+		{EGL_BAD_MATCH, "EGL_BAD_MATCH"},
+		{EGL_BAD_PARAMETER, "EGL_BAD_PARAMETER"},
+		{EGL_BAD_DEVICE_EXT, "EGL_BAD_DEVICE_EXT"},
+	};
+	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
+		if (names[i].code == code)
+			return names[i].name;
+	return "unknown EGL error";
+}
+
+static bool fail(struct sm_error *error, const char *call)
+{
+	return error_set(
+		error, SM_ERROR_MACHINE, "%s failed (%s)", call, error_name(eglGetError()));
+}
+
+/* EGL_NO_DISPLAY asks for the client's extensions. */
+static bool has_extension(EGLDisplay display, const char *name)
+{
+	const char *list = eglQueryString(display, EGL_EXTENSIONS);
+	size_t length = strlen(name);
+	for (const char *at = list; at != NULL && (at = strstr(at, name)) != NULL; at += length)
+		if ((at == list || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
+			return true;
+	return false;
+}
+
+/* The EXT entry point rather than that of EGL 1.5, because EGL 1.4 libraries lack the latter. */
+static bool open_display(struct egl *egl, EGLenum platform, void *native, struct sm_error *error)
+{
+	PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display =
+		(PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
+	if (get_platform_display == NULL)
+		return error_set(error, SM_ERROR_MACHINE, "EGL lacks EGL_EXT_platform_base");
+	egl->display = get_platform_display(platform, native, NULL);
+	return egl->display != EGL_NO_DISPLAY || fail(error, "eglGetPlatformDisplayEXT");
+}
+
+static bool open_first_device(struct egl *egl, struct sm_error *error)
+{
+	PFNEGLQUERYDEVICESEXTPROC query_devices =
+		(PFNEGLQUERYDEVICESEXTPROC)eglGetProcAddress("eglQueryDevicesEXT");
+	EGLDeviceEXT device;
+	EGLint count = 0;
+	if (query_devices == NULL || !query_devices(1, &device, &count) || count == 0)
+		return error_set(error, SM_ERROR_MACHINE, "EGL knows no device");
+	return open_display(egl, EGL_PLATFORM_DEVICE_EXT, device, error);
+}
+
+static bool choose_config(EGLDisplay display, EGLConfig *config, struct sm_error *error)
+{
+	/* EGL_SURFACE_TYPE would default to windows, which headless drivers may not have. */
+	static const EGLint wanted[] = {
+		EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+	EGLint count = 0;
+	if (!eglChooseConfig(display, wanted, config, 1, &count))
+		return fail(error, "eglChooseConfig");
+	if (count == 0)
+		return error_set(error, SM_ERROR_MACHINE, "EGL has no config for OpenGL ES 3");
+	return true;
+}
+
+static EGLContext create_context(EGLDisplay display, EGLConfig config, bool debug)
+{
+	EGLContext context = EGL_NO_CONTEXT;
+	for (EGLint minor = 2; minor >= 0 && context == EGL_NO_CONTEXT; minor--) {
+		/* EGL 1.4 has a major version only, and says so by refusing the others. */
+		EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE, EGL_NONE, EGL_NONE,
+			EGL_NONE, EGL_NONE};
+		size_t count = 2;
+		if (minor > 0) {
+			attributes[count++] = EGL_CONTEXT_MINOR_VERSION;
+			attributes[count++] = minor;
+		}
+		if (debug) {
+			attributes[count++] = EGL_CONTEXT_OPENGL_DEBUG;
+			attributes[count++] = EGL_TRUE;
+		}
+		context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+	}
+	return context;
+}
+
+static bool make_context(struct egl *egl, bool debug, struct sm_error *error)
+{
+	EGLConfig config = EGL_NO_CONFIG_KHR;
+	if (!eglInitialize(egl->display, NULL, NULL))
+		return fail(error, "eglInitialize");
+	if (!has_extension(egl->display, "EGL_KHR_surfaceless_context"))
+		return error_set(error, SM_ERROR_MACHINE, "EGL lacks EGL_KHR_surfaceless_context");
+	if (!eglBindAPI(EGL_OPENGL_ES_API))
+		return fail(error, "eglBindAPI");
+	if (!has_extension(egl->display, "EGL_KHR_no_config_context") &&
+		!choose_config(egl->display, &config, error))
+		return false;
+	egl->context = create_context(egl->display, config, debug);
+	if (egl->context == EGL_NO_CONTEXT && debug) {
+		log_warning("EGL refuses a debug context (%s): going on without",
+			error_name(eglGetError()));
+		egl->context = create_context(egl->display, config, false);
+	}
+	if (egl->context == EGL_NO_CONTEXT)
+		return fail(error, "eglCreateContext for OpenGL ES 3");
+	return eglMakeCurrent(egl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, egl->context) ||
+	       fail(error, "eglMakeCurrent");
+}
+
+bool egl_init_surfaceless(struct egl *egl, bool debug, struct sm_error *error)
+{
+	bool opened;
+	*egl = (struct egl){0};
+	if (has_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+		opened = open_display(
+			egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, error);
+	} else if (has_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
+		opened = open_first_device(egl, error);
+	} else {
+		egl->display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+		opened = egl->display != EGL_NO_DISPLAY ||
+			 error_set(error, SM_ERROR_MACHINE, "EGL offers no display");
+	}
+	return opened && make_context(egl, debug, error);
+}
+
+bool egl_init_gbm(struct egl *egl, void *gbm_device, bool debug, struct sm_error *error)
+{
+	*egl = (struct egl){0};
+	if (!has_extension(EGL_NO_DISPLAY, "EGL_KHR_platform_gbm") &&
+		!has_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_gbm"))
+		return error_set(error, SM_ERROR_MACHINE, "EGL lacks EGL_KHR_platform_gbm");
+	return open_display(egl, EGL_PLATFORM_GBM_KHR, gbm_device, error) &&
+	       make_context(egl, debug, error);
+}
+
+void egl_finish(struct egl *egl)
+{
+	if (egl->display != EGL_NO_DISPLAY) {
+		eglMakeCurrent(egl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+		if (egl->context != EGL_NO_CONTEXT)
+			eglDestroyContext(egl->display, egl->context);
+		eglTerminate(egl->display);
+		eglReleaseThread();
+	}
+	*egl = (struct egl){0};
+}

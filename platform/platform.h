@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef PLATFORM_H
+#define PLATFORM_H
+
+#include <smoothie.h>
+
+/** A device with an OpenGL ES 3 context that is current and needs no window. */
+struct platform;
+
+/**
+ * Opens a device and makes a context current on it, of the highest version it has (3.2 to 3.0).
+ * A device counts as working once a clear has been drawn and read back.
+ *
+ * device: "surfaceless" (the driver chooses), the path of a DRM node (through GBM), or NULL for the
+ * first that works of the render nodes, the primary nodes and surfaceless.
+ * debug: ask for a debug context.
+ * Fails (INPUT) on a device that cannot be one, (MACHINE) when none works.
+ */
+struct platform *platform_create(const char *device, bool debug, struct sm_error *error);
+
+/** Ends context and device; NULL is fine. */
+void platform_destroy(struct platform *platform);
+
+/** Looks a GL function up in the context; an sm_get_proc. */
+void (*platform_get_proc(const char *name))(void);
+
+/** Reports which device is used, and its EGL. */
+void platform_describe(const struct platform *platform, sm_fact fact, void *data);
+
+#endif
