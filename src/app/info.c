@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: MIT */
+#include "app/facts.h"
+#include "app/options.h"
+#include "app/report.h"
+#include "load/stage.h"
+#include "platform.h"
+#include <getopt.h>
+
+enum {
+	FLAG_JSON = FLAG_OWN,
+};
+
+static const struct flag flags[] = {
+	{FLAG_JSON, "json", NULL, "print one JSON object"},
+	COMMON_FLAGS,
+};
+
+struct info_options {
+	struct common_options common;
+	const char *scene; /* NULL: about the driver */
+	bool json;
+};
+
+static bool read_options(
+	struct info_options *options, int argc, char **argv, struct sm_error *error)
+{
+	*options = (struct info_options){.common = options_defaults()};
+	int id;
+	while ((id = options_next(&info_command, argc, argv, error)) >= 0) {
+		if (id == FLAG_JSON)
+			options->json = true;
+		else
+			options_common(&options->common, id, optarg);
+	}
+	if (id == FLAG_FAILED)
+		return false;
+	if (optind + 1 < argc)
+		return options_error(error, &info_command, "one SCENE is wanted, not also %.200s",
+			argv[optind + 1]);
+	options->scene = argv[optind]; /* argv ends with NULL */
+	return true;
+}
+
+static struct sm_mesh_stats sum_meshes(const struct sm_scene *scene)
+{
+	struct sm_mesh_stats sum = {0};
+	for (uint32_t mesh = 0; mesh < sm_scene_mesh_count(scene); mesh++) {
+		struct sm_mesh_stats stats;
+		sm_scene_get_mesh_stats(scene, mesh, &stats);
+		sum.triangles += stats.triangles;
+		sum.degenerate_triangles += stats.degenerate_triangles;
+		sum.vertices += stats.vertices;
+		sum.welded_vertices += stats.welded_vertices;
+		sum.edges += stats.edges;
+		sum.open_edges += stats.open_edges;
+		sum.non_manifold_edges += stats.non_manifold_edges;
+		sum.inverted_edges += stats.inverted_edges;
+		sum.edge_bytes += stats.edge_bytes;
+		sum.plane_bytes += stats.plane_bytes;
+	}
+	return sum;
+}
+
+static double bytes_per_edge(const struct sm_mesh_stats *stats, size_t bytes)
+{
+	/* Degenerate triangles alone have no edges. */
+	return stats->edges > 0 ? (double)bytes / (double)stats->edges : 0;
+}
+
+static void add_scene(struct facts *facts, const struct sm_scene *scene)
+{
+	struct sm_mesh_stats stats = sum_meshes(scene);
+	facts_format(facts, "meshes", "%u", sm_scene_mesh_count(scene));
+	facts_format(facts, "objects", "%u", sm_scene_object_count(scene));
+	facts_format(facts, "lights", "%u", sm_scene_light_count(scene));
+	facts_format(facts, "triangles", "%zu", stats.triangles);
+	facts_format(facts, "degenerate triangles", "%zu", stats.degenerate_triangles);
+	facts_format(facts, "vertices", "%zu", stats.vertices);
+	facts_format(facts, "welded vertices", "%zu", stats.welded_vertices);
+	facts_format(facts, "edges", "%zu", stats.edges);
+	facts_format(facts, "open edges", "%zu", stats.open_edges);
+	facts_format(facts, "non-manifold edges", "%zu", stats.non_manifold_edges);
+	facts_format(facts, "inverted edges", "%zu", stats.inverted_edges);
+	facts_format(facts, "bytes per edge", "%.1f", bytes_per_edge(&stats, stats.edge_bytes));
+	facts_format(facts, "bytes per edge with planes", "%.1f",
+		bytes_per_edge(&stats, stats.edge_bytes + stats.plane_bytes));
+}
+
+static bool describe_scene(const struct info_options *options, struct sm_error *error)
+{
+	/* The ground is put below the scene's meshes, and is none of them. */
+	static const char *const settings[] = {"ground.show=no"};
+	struct stage stage = {0};
+	struct facts facts;
+	if (!stage_load(&stage, options->scene, settings, 1, error))
+		return false;
+	facts_begin(&facts, stdout, options->json);
+	add_scene(&facts, stage.scene);
+	facts_end(&facts);
+	stage_finish(&stage);
+	return true;
+}
+
+static bool describe_driver(const struct info_options *options, struct sm_error *error)
+{
+	struct facts facts;
+	struct platform *platform =
+		platform_create(options->common.device, options->common.debug, error);
+	struct sm_renderer *renderer =
+		platform != NULL ? sm_renderer_create(platform_get_proc, error) : NULL;
+	if (renderer != NULL) {
+		facts_begin(&facts, stdout, options->json);
+		facts_add(&facts, "smoothie", sm_version());
+		platform_describe(platform, facts_sink, &facts);
+		sm_renderer_describe(renderer, facts_sink, &facts);
+		facts_end(&facts);
+	}
+	bool described = renderer != NULL;
+	sm_renderer_destroy(renderer);
+	platform_destroy(platform);
+	return described;
+}
+
+static bool run(int argc, char **argv, struct sm_error *error)
+{
+	struct info_options options;
+	if (!read_options(&options, argc, argv, error))
+		return false;
+	if (options.common.help) {
+		options_help(&info_command);
+		return true;
+	}
+	report_set_verbosity(options.common.debug ? 2 : options.common.verbosity);
+	return options.scene != NULL ? describe_scene(&options, error)
+				     : describe_driver(&options, error);
+}
+
+const struct command info_command = {
+	.name = "info",
+	.arguments = "[SCENE] [flags]",
+	.summary = "Tell what the driver can do, or how a scene's meshes are built.",
+	.flags = flags,
+	.flag_count = sizeof(flags) / sizeof(flags[0]),
+	.run = run,
+};

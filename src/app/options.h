@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef APP_OPTIONS_H
+#define APP_OPTIONS_H
+
+#include "app/command.h"
+#include "base/error.h"
+
+/** Flags that every subcommand has, by the ids below; options_common() takes them. */
+#define COMMON_FLAGS                                                                   \
+	{FLAG_DEVICE, "device", "PATH|surfaceless",                                    \
+		"where to render; default: the first that works"},                     \
+		{FLAG_DEBUG, "debug", NULL,                                            \
+			"log what the driver says and does (also: SMOOTHIE_DEBUG=1)"}, \
+		{'q', "quiet", NULL, "no warnings, no progress"},                      \
+		{'v', "verbose", NULL, "say more; twice: all"},                        \
+	{                                                                              \
+		'h', "help", NULL, "show this"                                         \
+	}
+
+enum {
+	FLAG_END = -1,    /**< no flag is left; optind is the first argument */
+	FLAG_FAILED = -2, /**< *error is filled */
+	FLAG_DEVICE = 256,
+	FLAG_DEBUG,
+	FLAG_OWN, /**< subcommands count on from here */
+};
+
+struct common_options {
+	const char *device; /**< NULL: choose */
+	bool debug, help;
+	int verbosity; /**< -1: quiet, 0, 1, 2 and above: all */
+};
+
+/** The common options before any flag is read. */
+struct common_options options_defaults(void);
+
+/** Reads the next flag of argv with getopt_long(): its id (optarg is its value, or NULL), FLAG_END,
+ *  or FLAG_FAILED. Flags and arguments may mix. */
+int options_next(const struct command *command, int argc, char **argv, struct sm_error *error);
+
+/** Takes a flag that is a common one. */
+void options_common(struct common_options *options, int id, const char *value);
+
+/** Prints what --help shows. */
+void options_help(const struct command *command);
+
+/** Fills *error (INPUT) with a line that ends in a hint at --help, and returns false. */
+bool options_error(struct sm_error *error, const struct command *command, const char *format, ...)
+	PRINTF_LIKE(3, 4);
+
+/** A decimal number within [min, max], and nothing else. */
+bool options_number(const char *text, uint32_t min, uint32_t max, uint32_t *value);
+
+/** "WIDTHxHEIGHT", each from 1 to 2^31 - 1. */
+bool options_size(const char *text, uint32_t *width, uint32_t *height);
+
+#endif

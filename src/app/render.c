@@ -1,0 +1,379 @@
+/* SPDX-License-Identifier: MIT */
+#include "app/facts.h"
+#include "app/options.h"
+#include "app/output.h"
+#include "app/png.h"
+#include "app/progress.h"
+#include "app/report.h"
+#include "app/sequence.h"
+#include "app/stopwatch.h"
+#include "app/target.h"
+#include "base/array.h"
+#include "load/stage.h"
+#include "platform.h"
+#include <GLES3/gl3.h>
+#include <getopt.h>
+#include <inttypes.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum {
+	FLAG_SIZE = FLAG_OWN,
+	FLAG_SAMPLES,
+	FLAG_TECHNIQUE,
+	FLAG_MAP,
+	FLAG_SET,
+	FLAG_VISIBILITY,
+	FLAG_FRAMES,
+	FLAG_FPS,
+	FLAG_STATS,
+};
+
+static const struct flag flags[] = {
+	{'o', "output", "FILE",
+		"PNG to write, - for standard output; default: SCENE's name + .png"},
+	{FLAG_SIZE, "size", "WxH", "pixels of the picture"},
+	{FLAG_SAMPLES, "samples", "1|4", "samples a pixel against jagged edges"},
+	{FLAG_TECHNIQUE, "technique", "NAME", "how shadows are made"},
+	{FLAG_MAP, "map", "N", "texels a side of the shadow map"},
+	{FLAG_SET, "set", "SECTION.KEY=VALUE", "change the scene; may be repeated"},
+	{FLAG_VISIBILITY, "visibility", "[=LIGHT]",
+		"16-bit grey: the share of a light (0) that arrives"},
+	{FLAG_FRAMES, "frames", "N", "write N numbered pictures"},
+	{FLAG_FPS, "fps", "F", "frames a second of the scene's time, with --frames"},
+	{FLAG_STATS, "stats", NULL, "print times and counts"},
+	COMMON_FLAGS,
+};
+
+struct render_options {
+	struct common_options common;
+	const char *scene;
+	char *output;                                           /* owned */
+	uint32_t width, height, samples, map_size, frames, fps; /* 0: not given */
+	const char *technique;                                  /* NULL: not given */
+	const char **settings;                                  /* owned array */
+	size_t setting_count;
+	uint32_t visibility_of;
+	bool stats;
+};
+
+/* All that a run holds, in the order it is made. */
+struct render {
+	struct stage stage;
+	struct platform *platform;
+	struct sm_renderer *renderer;
+	struct target target;
+	uint8_t *pixels; /* R,G,B,A of the whole target */
+	struct stopwatch stopwatch;
+};
+
+static bool read_flag(
+	struct render_options *options, int id, const char *value, struct sm_error *error)
+{
+	switch (id) {
+	case 'o':
+		free(options->output);
+		options->output = strdup(value);
+		return options->output != NULL || error_no_memory(error);
+	case FLAG_SIZE:
+		return options_size(value, &options->width, &options->height) ||
+		       options_error(error, &render_command,
+			       "--size %.40s: WIDTHxHEIGHT in pixels is wanted, each 1 or more",
+			       value);
+	case FLAG_SAMPLES:
+		return (options_number(value, 1, 4, &options->samples) &&
+			       (options->samples == 1 || options->samples == 4)) ||
+		       options_error(
+			       error, &render_command, "--samples %.40s: 1 or 4 is wanted", value);
+	case FLAG_TECHNIQUE:
+		options->technique = value;
+		return true;
+	case FLAG_MAP:
+		return options_number(value, 1, INT32_MAX, &options->map_size) ||
+		       options_error(error, &render_command,
+			       "--map %.40s: a number of texels is wanted", value);
+	case FLAG_SET:
+		options->settings[options->setting_count++] = value;
+		return true;
+	case FLAG_VISIBILITY:
+		options->visibility_of = 0;
+		return value == NULL ||
+		       options_number(value, 0, SM_NONE - 1, &options->visibility_of) ||
+		       options_error(error, &render_command,
+			       "--visibility=%.40s: a light's number, from 0, is wanted", value);
+	case FLAG_FRAMES:
+		return options_number(value, 1, 1000000, &options->frames) ||
+		       options_error(error, &render_command,
+			       "--frames %.40s: a number from 1 to 1000000 is wanted", value);
+	case FLAG_FPS:
+		return options_number(value, 1, 1000, &options->fps) ||
+		       options_error(error, &render_command,
+			       "--fps %.40s: a number from 1 to 1000 is wanted", value);
+	case FLAG_STATS:
+		options->stats = true;
+		return true;
+	default:
+		options_common(&options->common, id, value);
+		return true;
+	}
+}
+
+static bool check_options(const struct render_options *options, struct sm_error *error)
+{
+	const char *conflict = NULL;
+	if (options->fps > 0 && options->frames == 0)
+		conflict = "--fps needs --frames";
+	else if (options->visibility_of != SM_NONE && options->samples > 1)
+		conflict = "--visibility has one sample a pixel: --samples 4 does not go with it";
+	else if (options->frames > 0 && strcmp(options->output, "-") == 0)
+		conflict = "--frames writes several files: -o - does not go with it";
+	return conflict == NULL || options_error(error, &render_command, "%s", conflict);
+}
+
+/* "models/horse.3ds" and "builtin:horse" give "horse.png". */
+static char *default_output(const char *scene)
+{
+	const char *colon = strchr(scene, ':');
+	const char *slash = strrchr(scene, '/');
+	const char *name = slash != NULL ? slash + 1 : colon != NULL ? colon + 1 : scene;
+	const char *dot = strrchr(name, '.');
+	size_t length = dot != NULL && dot != name ? (size_t)(dot - name) : strlen(name);
+	char *output = array_alloc(length + sizeof(".png"), 1);
+	if (output != NULL)
+		sprintf(output, "%.*s.png", (int)length, name);
+	return output;
+}
+
+static bool read_options(
+	struct render_options *options, int argc, char **argv, struct sm_error *error)
+{
+	*options = (struct render_options){
+		.common = options_defaults(),
+		.visibility_of = SM_NONE,
+		.settings = array_zalloc((size_t)argc, sizeof(*options->settings)),
+	};
+	if (options->settings == NULL)
+		return error_no_memory(error);
+	int id;
+	while ((id = options_next(&render_command, argc, argv, error)) >= 0)
+		if (!read_flag(options, id, optarg, error))
+			return false;
+	if (id == FLAG_FAILED)
+		return false;
+	if (options->common.help)
+		return true;
+	if (optind >= argc)
+		return options_error(error, &render_command, "SCENE is missing");
+	if (optind + 1 < argc)
+		return options_error(error, &render_command, "one SCENE is wanted, not also %.200s",
+			argv[optind + 1]);
+	options->scene = argv[optind];
+	if (options->output == NULL)
+		options->output = default_output(options->scene);
+	return options->output != NULL ? check_options(options, error) : error_no_memory(error);
+}
+
+static void finish_options(struct render_options *options)
+{
+	free(options->output);
+	free(options->settings);
+}
+
+static bool is_same_file(const char *a, const char *b)
+{
+	struct stat file_a, file_b;
+	return stat(a, &file_a) == 0 && stat(b, &file_b) == 0 && file_a.st_dev == file_b.st_dev &&
+	       file_a.st_ino == file_b.st_ino;
+}
+
+/* The name of frame `number`, from 1, in PATH_MAX bytes. */
+static bool output_path(
+	const struct render_options *options, uint32_t number, char *path, struct sm_error *error)
+{
+	bool fits = options->frames > 0
+			    ? sequence_path(options->output, number, path, PATH_MAX)
+			    : snprintf(path, PATH_MAX, "%s", options->output) < PATH_MAX;
+	return fits || error_set(error, SM_ERROR_INPUT, "-o: the name is too long");
+}
+
+/* What can be known before the work starts need not wait for its end. */
+static bool check_output(const struct render_options *options, struct sm_error *error)
+{
+	char path[PATH_MAX];
+	if (!output_path(options, 1, path, error))
+		return false;
+	if (is_same_file(path, options->scene))
+		return error_set(
+			error, SM_ERROR_INPUT, "%.300s would be written over itself", path);
+	return output_check(path, error);
+}
+
+static bool load_stage(
+	struct stage *stage, const struct render_options *options, struct sm_error *error)
+{
+	if (!stage_load(stage, options->scene, options->settings, options->setting_count, error))
+		return false;
+	if (options->width > 0) {
+		stage->output.width = options->width;
+		stage->output.height = options->height;
+	}
+	if (options->samples > 0)
+		stage->output.samples = options->samples;
+	if (options->technique != NULL)
+		stage->shadow.technique = options->technique;
+	if (options->map_size > 0)
+		stage->shadow.map_size = options->map_size;
+	uint32_t lights = sm_scene_light_count(stage->scene);
+	if (options->visibility_of != SM_NONE && options->visibility_of >= lights)
+		return error_set(error, SM_ERROR_INPUT, "--visibility=%u: %.300s has %u light%s",
+			options->visibility_of, options->scene, lights, lights == 1 ? "" : "s");
+	return true;
+}
+
+static bool init_target(
+	struct render *render, const struct render_options *options, struct sm_error *error)
+{
+	const struct stage_output *output = &render->stage.output;
+	bool picture = options->visibility_of == SM_NONE;
+	if (!target_init(&render->target, picture ? TARGET_PICTURE : TARGET_VISIBILITY,
+		    output->width, output->height, picture ? output->samples : 1, error))
+		return false;
+	render->pixels = array_alloc(output->height, 4 * (size_t)output->width);
+	return render->pixels != NULL || error_no_memory(error);
+}
+
+static bool start(
+	struct render *render, const struct render_options *options, struct sm_error *error)
+{
+	if (!load_stage(&render->stage, options, error))
+		return false;
+	stopwatch_lap(&render->stopwatch, "load scene");
+	render->platform = platform_create(options->common.device, options->common.debug, error);
+	if (render->platform == NULL)
+		return false;
+	stopwatch_lap(&render->stopwatch, "open device");
+	render->renderer = sm_renderer_create(platform_get_proc, error);
+	if (render->renderer == NULL || !init_target(render, options, error) ||
+		!sm_renderer_set_shadows(render->renderer, &render->stage.shadow, error))
+		return false;
+	glFinish();
+	stopwatch_lap(&render->stopwatch, "create renderer");
+	return true;
+}
+
+static bool write_frame(struct render *render, const struct render_options *options,
+	const char *path, struct sm_error *error)
+{
+	const struct target *target = &render->target;
+	struct png png;
+	bool encoded = options->visibility_of == SM_NONE
+			       ? png_init_picture(
+					 &png, render->pixels, target->width, target->height, error)
+			       : png_init_visibility(&png, render->pixels, target->width,
+					 target->height, error);
+	bool written = encoded && output_write(path, png.bytes, png.size, error);
+	png_finish(&png);
+	return written;
+}
+
+static bool render_frame(struct render *render, const struct render_options *options,
+	uint32_t number, struct sm_error *error)
+{
+	char path[PATH_MAX];
+	struct sm_view view = {
+		.camera = render->stage.camera,
+		.framebuffer = render->target.framebuffer,
+		.width = render->target.width,
+		.height = render->target.height,
+		.visibility_of = options->visibility_of,
+	};
+	if (!output_path(options, number, path, error) ||
+		!sm_renderer_draw(render->renderer, render->stage.scene, &view, error))
+		return false;
+	glFinish();
+	stopwatch_lap(&render->stopwatch, number == 1 ? "first frame" : "further frames");
+	if (!target_read(&render->target, render->pixels, error))
+		return false;
+	stopwatch_lap(&render->stopwatch, "read back");
+	if (!write_frame(render, options, path, error))
+		return false;
+	stopwatch_lap(&render->stopwatch, "write PNG");
+	return true;
+}
+
+static bool render_frames(
+	struct render *render, const struct render_options *options, struct sm_error *error)
+{
+	uint32_t count = options->frames > 0 ? options->frames : 1;
+	struct progress progress;
+	bool rendered = true;
+	progress_start(&progress, count, options->common.verbosity < 0);
+	for (uint32_t number = 1; number <= count && rendered; number++) {
+		rendered = render_frame(render, options, number, error);
+		progress_update(&progress, number);
+	}
+	progress_finish(&progress);
+	return rendered;
+}
+
+static void print_stats(const struct render *render, FILE *file)
+{
+	struct facts facts;
+	struct sm_frame_stats stats;
+	sm_renderer_get_stats(render->renderer, &stats);
+	facts_begin(&facts, file, false);
+	stopwatch_describe(&render->stopwatch, &facts);
+	facts_format(&facts, "draw calls", "%" PRIu32, stats.draw_calls);
+	facts_format(&facts, "lights", "%" PRIu32, stats.lights);
+	facts_format(&facts, "triangles", "%" PRIu64, stats.triangles);
+	facts_format(&facts, "silhouette edges", "%" PRIu64, stats.silhouette_edges);
+	facts_format(&facts, "fin vertices", "%" PRIu64, stats.fin_vertices);
+	facts_format(&facts, "uploaded bytes", "%" PRIu64, stats.uploaded_bytes);
+	facts_format(&facts, "silhouette time", "%.3f ms", stats.silhouette_ms);
+	facts_end(&facts);
+}
+
+static void finish(struct render *render)
+{
+	free(render->pixels);
+	target_finish(&render->target);
+	sm_renderer_destroy(render->renderer);
+	platform_destroy(render->platform);
+	stage_finish(&render->stage);
+}
+
+static bool render_scene(const struct render_options *options, struct sm_error *error)
+{
+	struct render render = {0};
+	stopwatch_start(&render.stopwatch);
+	report_set_verbosity(options->common.debug ? 2 : options->common.verbosity);
+	bool rendered = check_output(options, error) && start(&render, options, error) &&
+			render_frames(&render, options, error);
+	if (rendered && options->stats)
+		print_stats(&render, strcmp(options->output, "-") == 0 ? stderr : stdout);
+	finish(&render);
+	return rendered;
+}
+
+static bool run(int argc, char **argv, struct sm_error *error)
+{
+	struct render_options options;
+	bool done = read_options(&options, argc, argv, error);
+	if (done && options.common.help)
+		options_help(&render_command);
+	else if (done)
+		done = render_scene(&options, error);
+	finish_options(&options);
+	return done;
+}
+
+const struct command render_command = {
+	.name = "render",
+	.arguments = "SCENE [-o FILE] [flags]",
+	.summary = "Draw a model, a scene file or builtin:NAME into a PNG file.",
+	.flags = flags,
+	.flag_count = sizeof(flags) / sizeof(flags[0]),
+	.run = run,
+};

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+#include "app/target.h"
+#include "base/error.h"
+#include "base/log.h"
+#include <GLES3/gl3.h>
+
+static bool check_size(uint32_t width, uint32_t height, struct sm_error *error)
+{
+	GLint side = 0, viewport[2] = {0};
+	glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &side);
+	glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+	GLint max_width = side < viewport[0] ? side : viewport[0];
+	GLint max_height = side < viewport[1] ? side : viewport[1];
+	if (width > 0 && height > 0 && width <= (GLuint)max_width && height <= (GLuint)max_height)
+		return true;
+	return error_set(error, SM_ERROR_INPUT,
+		"a picture of %ux%u: this driver draws 1x1 to %dx%d", width, height, max_width,
+		max_height);
+}
+
+static GLsizei available_samples(GLenum color, uint32_t wanted)
+{
+	GLint color_max = 1, depth_max = 1;
+	if (wanted <= 1)
+		return 0;
+	glGetInternalformativ(GL_RENDERBUFFER, color, GL_SAMPLES, 1, &color_max);
+	glGetInternalformativ(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, GL_SAMPLES, 1, &depth_max);
+	GLint max = color_max < depth_max ? color_max : depth_max;
+	if ((GLint)wanted <= max)
+		return (GLsizei)wanted;
+	log_info("%u samples a pixel asked, the driver has %d", wanted, max);
+	return max > 1 ? max : 0;
+}
+
+static void attach(const struct target *target, GLenum attachment, uint32_t buffer, GLenum format,
+	GLsizei samples)
+{
+	glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+	glRenderbufferStorageMultisample(
+		GL_RENDERBUFFER, samples, format, (GLsizei)target->width, (GLsizei)target->height);
+	glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+}
+
+static bool check_complete(const struct target *target, struct sm_error *error)
+{
+	GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+	GLenum code = glGetError();
+	if (code == GL_NO_ERROR && status == GL_FRAMEBUFFER_COMPLETE)
+		return true;
+	return error_set(error, SM_ERROR_MACHINE,
+		"the driver gives no framebuffer of %ux%u (GL error 0x%04x, status 0x%04x)",
+		target->width, target->height, code, status);
+}
+
+bool target_init(struct target *target, enum target_kind kind, uint32_t width, uint32_t height,
+	uint32_t samples, struct sm_error *error)
+{
+	GLenum format = kind == TARGET_PICTURE ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+	*target = (struct target){.width = width, .height = height};
+	if (!check_size(width, height, error))
+		return false;
+	GLsizei multisamples = available_samples(format, samples);
+	glGenRenderbuffers(3, target->buffers);
+	glGenFramebuffers(1, &target->framebuffer);
+	target->resolved = target->framebuffer;
+	if (multisamples > 0) {
+		glGenFramebuffers(1, &target->resolved);
+		glBindFramebuffer(GL_FRAMEBUFFER, target->resolved);
+		attach(target, GL_COLOR_ATTACHMENT0, target->buffers[2], format, 0);
+		if (!check_complete(target, error))
+			return false;
+	}
+	glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+	attach(target, GL_COLOR_ATTACHMENT0, target->buffers[0], format, multisamples);
+	attach(target, GL_DEPTH_ATTACHMENT, target->buffers[1], GL_DEPTH_COMPONENT24, multisamples);
+	return check_complete(target, error);
+}
+
+bool target_read(const struct target *target, uint8_t *rgba, struct sm_error *error)
+{
+	GLint width = (GLint)target->width, height = (GLint)target->height;
+	if (target->resolved != target->framebuffer) {
+		glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
+		glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target->resolved);
+		glBlitFramebuffer(
+			0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+	}
+	glBindFramebuffer(GL_FRAMEBUFFER, target->resolved);
+	glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+	GLenum code = glGetError();
+	return code == GL_NO_ERROR ||
+	       error_set(error, SM_ERROR_MACHINE,
+		       "reading the picture back fails (GL error 0x%04x)", code);
+}
+
+void target_finish(struct target *target)
+{
+	if (target->framebuffer != 0) {
+		if (target->resolved != target->framebuffer)
+			glDeleteFramebuffers(1, &target->resolved);
+		glDeleteFramebuffers(1, &target->framebuffer);
+		glDeleteRenderbuffers(3, target->buffers);
+	}
+	*target = (struct target){0};
+}
