@@ -1,0 +1,360 @@
+/* SPDX-License-Identifier: MIT */
+/* How long the search for silhouettes takes, and against two plainer edge tables. */
+#define _GNU_SOURCE /* twalk_r, sched_setaffinity */
+#include "geom/silhouette.h"
+#include "base/array.h"
+#include "base/error.h"
+#include "geom/mesh.h"
+#include "models.h"
+#include <getopt.h>
+#include <malloc.h>
+#include <math.h>
+#include <sched.h>
+#include <search.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#define LIGHTS 60
+#define ROUNDS 15
+#define SAMPLES (LIGHTS * ROUNDS)
+
+/* One record of 16 bytes: t1 is the index of a bit that is never set when there is no triangle. */
+struct plain_edge {
+	uint32_t v0, v1; /* as t0 runs through it */
+	uint32_t t0, t1;
+};
+
+struct plain_table {
+	size_t count;
+	struct plain_edge *edges;
+};
+
+/* Found edges; capacity is always enough. */
+struct result {
+	size_t count;
+	struct silhouette_edge *edges;
+};
+
+/* What a visitor of the tree needs. */
+struct tree_search {
+	const uint64_t *facing;
+	struct result *result;
+};
+
+struct bench {
+	struct mesh mesh;
+	uint64_t *facing; /* and a word of zeros */
+	struct plain_table plain;
+	void *tree; /* of the plain table's edges, by tsearch() */
+	size_t tree_bytes;
+	struct result packed, plain_found, tree_found;
+};
+
+enum timed { FACING, PACKED, PLAIN, TREE, BOTH, TIMED };
+
+static bool has_bit(const uint64_t *words, uint32_t i)
+{
+	return words[i / 64] >> i % 64 & 1;
+}
+
+static inline void test_edge(
+	const struct plain_edge *edge, const uint64_t *facing, struct result *result)
+{
+	bool own = has_bit(facing, edge->t0);
+	if (own != has_bit(facing, edge->t1))
+		result->edges[result->count++] = own ? (struct silhouette_edge){edge->v0, edge->v1}
+						     : (struct silhouette_edge){edge->v1, edge->v0};
+}
+
+static void search_plain(
+	const struct plain_table *table, const uint64_t *facing, struct result *result)
+{
+	result->count = 0;
+	for (size_t e = 0; e < table->count; e++)
+		test_edge(&table->edges[e], facing, result);
+}
+
+static void visit_node(const void *node, VISIT order, void *closure)
+{
+	const struct tree_search *search = closure;
+	if (order == postorder || order == leaf)
+		test_edge(*(struct plain_edge *const *)node, search->facing, search->result);
+}
+
+static void search_tree(const void *tree, const uint64_t *facing, struct result *result)
+{
+	result->count = 0;
+	twalk_r(tree, visit_node, &(struct tree_search){facing, result});
+}
+
+static int compare_words(const void *a, const void *b)
+{
+	const uint32_t *x = a, *y = b;
+	for (int i = 0; i < 4; i++)
+		if (x[i] != y[i])
+			return x[i] < y[i] ? -1 : 1;
+	return 0;
+}
+
+static bool build_plain(struct bench *bench)
+{
+	const struct caster *caster = &bench->mesh.caster;
+	size_t count = edge_table_records(&caster->edges);
+	uint32_t never = (uint32_t)(EDGE_BLOCK * facing_words(caster));
+	struct edge_record *records = array_alloc(count, sizeof(*records));
+	bench->plain = (struct plain_table){count, array_alloc(count, sizeof(struct plain_edge))};
+	bool ok = records != NULL && bench->plain.edges != NULL;
+	if (ok)
+		edge_table_decode(&caster->edges, records);
+	for (size_t i = 0; ok && i < count; i++) {
+		size_t t = records[i].corner / 3, k = records[i].corner % 3;
+		bench->plain.edges[i] = (struct plain_edge){
+			.v0 = caster->indices[3 * t + k],
+			.v1 = caster->indices[3 * t + (k + 1) % 3],
+			.t0 = (uint32_t)t,
+			.t1 = records[i].neighbour == EDGE_OPEN ? never : records[i].neighbour,
+		};
+	}
+	free(records);
+	return ok;
+}
+
+static bool build_tree(struct bench *bench)
+{
+	size_t before = mallinfo2().uordblks;
+	for (size_t i = 0; i < bench->plain.count; i++)
+		if (tsearch(&bench->plain.edges[i], &bench->tree, compare_words) == NULL)
+			return false;
+	bench->tree_bytes =
+		mallinfo2().uordblks - before + bench->plain.count * sizeof(*bench->plain.edges);
+	return true;
+}
+
+static void keep(void *edge)
+{
+	(void)edge; /* belongs to the plain table */
+}
+
+static void bench_finish(struct bench *bench)
+{
+	tdestroy(bench->tree, keep);
+	free(bench->plain.edges);
+	free(bench->facing);
+	free(bench->packed.edges);
+	free(bench->plain_found.edges);
+	free(bench->tree_found.edges);
+	mesh_finish(&bench->mesh);
+}
+
+static bool bench_init(
+	struct bench *bench, const char *name, const struct model *model, struct sm_error *error)
+{
+	*bench = (struct bench){.tree = NULL};
+	struct sm_mesh_desc desc = model_desc(model, name);
+	if (!mesh_init(&bench->mesh, &desc, error))
+		return false;
+	const struct caster *caster = &bench->mesh.caster;
+	size_t count = edge_table_records(&caster->edges);
+	size_t size = sizeof(struct silhouette_edge);
+	bench->facing = array_zalloc(facing_words(caster) + 1, sizeof(*bench->facing));
+	bench->packed.edges = array_zalloc(count, size);
+	bench->plain_found.edges = array_zalloc(count, size);
+	bench->tree_found.edges = array_zalloc(count, size);
+	if (bench->facing == NULL || bench->packed.edges == NULL ||
+		bench->plain_found.edges == NULL || bench->tree_found.edges == NULL ||
+		!build_plain(bench) || !build_tree(bench)) {
+		bench_finish(bench);
+		return error_no_memory(error);
+	}
+	return true;
+}
+
+static double now(void)
+{
+	struct timespec time;
+	clock_gettime(CLOCK_MONOTONIC, &time);
+	return (double)time.tv_sec * 1e9 + (double)time.tv_nsec;
+}
+
+/* One light with each search in turn; ns. */
+static void search_all(struct bench *bench, const float light[4], double ns[TIMED])
+{
+	const struct caster *caster = &bench->mesh.caster;
+	double t0 = now();
+	facing_find(caster, light, bench->facing);
+	double t1 = now();
+	bench->packed.count = silhouette_find(
+		caster, bench->facing, bench->packed.edges, edge_table_records(&caster->edges));
+	double t2 = now();
+	search_plain(&bench->plain, bench->facing, &bench->plain_found);
+	double t3 = now();
+	search_tree(bench->tree, bench->facing, &bench->tree_found);
+	double t4 = now();
+	memcpy(ns, (double[TIMED]){t1 - t0, t2 - t1, t3 - t2, t4 - t3, t2 - t0},
+		TIMED * sizeof(*ns));
+}
+
+static int compare_edges(const void *a, const void *b)
+{
+	const struct silhouette_edge *x = a, *y = b;
+	if (x->a != y->a)
+		return x->a < y->a ? -1 : 1;
+	return x->b < y->b ? -1 : x->b > y->b;
+}
+
+static bool agree(struct bench *bench)
+{
+	struct result *results[] = {&bench->packed, &bench->plain_found, &bench->tree_found};
+	for (int i = 0; i < 3; i++) {
+		qsort(results[i]->edges, results[i]->count, sizeof(*results[i]->edges),
+			compare_edges);
+		if (results[i]->count != results[0]->count ||
+			memcmp(results[i]->edges, results[0]->edges,
+				results[0]->count * sizeof(*results[0]->edges)) != 0)
+			return false;
+	}
+	return true;
+}
+
+static void light_on_circle(const struct caster *caster, int i, float light[4])
+{
+	const struct face_planes *planes = &caster->planes;
+	double angle = 2.0 * 3.14159265358979 * i / LIGHTS;
+	light[0] = (float)(planes->center[0] + 3.0 * planes->radius * cos(angle));
+	light[1] = (float)(planes->center[1] + 2.0 * planes->radius);
+	light[2] = (float)(planes->center[2] + 3.0 * planes->radius * sin(angle));
+	light[3] = 1.0f;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+	return x < y ? -1 : x > y;
+}
+
+static double median(double samples[SAMPLES])
+{
+	qsort(samples, SAMPLES, sizeof(*samples), compare_doubles);
+	return samples[SAMPLES / 2];
+}
+
+/* Medians per edge, and the mean length of the silhouettes; false when the searches disagree. */
+static bool measure(struct bench *bench, double ns[TIMED], double *found)
+{
+	static double samples[TIMED][SAMPLES];
+	*found = 0.0;
+	for (int s = 0; s < SAMPLES; s++) {
+		float light[4];
+		double once[TIMED];
+		light_on_circle(&bench->mesh.caster, s % LIGHTS, light);
+		search_all(bench, light, once);
+		for (int i = 0; i < TIMED; i++)
+			samples[i][s] = once[i];
+		*found += (double)bench->packed.count / SAMPLES;
+		if (s < LIGHTS && !agree(bench))
+			return false;
+	}
+	for (int i = 0; i < TIMED; i++)
+		ns[i] = median(samples[i]) / (double)bench->plain.count;
+	return true;
+}
+
+static void print_row(const char *what, double ns, double packed, double bytes)
+{
+	printf("  %-22s %9.3f %9.2f %12.2f\n", what, ns, ns / packed, bytes);
+}
+
+static void report(
+	const struct bench *bench, const char *name, const double ns[TIMED], double found)
+{
+	const struct sm_mesh_stats *stats = &bench->mesh.stats;
+	double edges = (double)bench->plain.count;
+	double table = (double)stats->edge_bytes / edges,
+	       planes = (double)stats->plane_bytes / edges;
+	printf("%s: %zu triangles, %.0f edges, %.0f on the silhouette\n", name, stats->triangles,
+		edges, found);
+	printf("  %-22s %9s %9s %12s\n", "search of edges", "ns/edge", "ratio", "bytes/edge");
+	print_row("packed table", ns[PACKED], ns[PACKED], table);
+	print_row("plain 16-byte table", ns[PLAIN], ns[PACKED], (double)sizeof(struct plain_edge));
+	print_row("red-black tree", ns[TREE], ns[PACKED], (double)bench->tree_bytes / edges);
+	print_row("facing of triangles", ns[FACING], ns[PACKED], planes);
+	print_row("facing + packed table", ns[BOTH], ns[PACKED], table + planes);
+}
+
+static int run(const char *name, struct model *model)
+{
+	struct bench bench;
+	struct sm_error error;
+	double ns[TIMED], found;
+	if (!bench_init(&bench, name, model, &error)) {
+		fprintf(stderr, "bench-silhouette: %s\n", error.text);
+		return error.status;
+	}
+	bool ok = measure(&bench, ns, &found);
+	if (ok)
+		report(&bench, name, ns, found);
+	else
+		fprintf(stderr, "bench-silhouette: %s: the searches disagree\n", name);
+	bench_finish(&bench);
+	return ok ? SM_OK : SM_ERROR_MACHINE;
+}
+
+static int run_file(const char *path)
+{
+	struct model model;
+	if (!model_load(&model, path)) {
+		fprintf(stderr, "bench-silhouette: %s: cannot be read\n", path);
+		return SM_ERROR_INPUT;
+	}
+	int status = run(path, &model);
+	model_finish(&model);
+	return status;
+}
+
+static int run_default(void)
+{
+	struct model model;
+	const char *path = SMOOTHIE_SHARED "/models/toy-car.glb";
+	bool loaded = model_load(&model, path);
+	if (!loaded)
+		model = model_sphere(7);
+	int status = run(loaded ? path : "sphere", &model);
+	model_finish(&model);
+	return status;
+}
+
+/* The scheduler must not move the measurement from one cache to another. */
+static void stay_on_this_core(void)
+{
+	cpu_set_t set;
+	CPU_ZERO(&set);
+	CPU_SET((size_t)sched_getcpu(), &set);
+	if (sched_setaffinity(0, sizeof(set), &set) != 0)
+		perror("bench-silhouette: sched_setaffinity");
+}
+
+int main(int argc, char **argv)
+{
+	static const struct option options[] = {{"help", no_argument, NULL, 'h'}, {0}};
+	int option = getopt_long(argc, argv, "h", options, NULL);
+	if (option != -1) {
+		fprintf(option == 'h' ? stdout : stderr,
+			"Usage: bench-silhouette [MODEL]...\n"
+			"Times the search for silhouettes on one core, for %d lights on a circle, "
+			"%d "
+			"times each.\nPrints medians. Without MODEL: toy-car.glb when it is there, "
+			"or a sphere.\nExit status: 1 when the three searches disagree, 2 when a "
+			"MODEL cannot be used.\n",
+			LIGHTS, ROUNDS);
+		return option == 'h' ? SM_OK : SM_ERROR_INPUT;
+	}
+	stay_on_this_core();
+	int status = SM_OK;
+	if (optind == argc)
+		status = run_default();
+	for (int i = optind; i < argc && status == SM_OK; i++)
+		status = run_file(argv[i]);
+	return status;
+}

@@ -1,0 +1,575 @@
+/* SPDX-License-Identifier: MIT */
+#include "geom/fins.h"
+#include "geom/mesh.h"
+#include "models.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define CLOSE 1e-6f /* NDC; results are a few float operations away from coordinates near 1 */
+
+static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+/* A perspective along -z: w = -z, the near plane at z = -1, the far plane at z = -3. */
+static const float perspective[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -2, -1, 0, 0, -3, 0};
+
+static struct fin_params params_of(const float object_to_clip[16])
+{
+	struct fin_params params = {.width = FIN_WIDTH_CONSTANT, .scale = 0.1f};
+	memcpy(params.object_to_clip, object_to_clip, sizeof(params.object_to_clip));
+	return params;
+}
+
+/* Vertices are all that a caster needs here. */
+static struct caster caster_of(const float (*positions)[3], size_t vertex_count)
+{
+	return (struct caster){.vertex_count = vertex_count, .positions = (float(*)[3])positions};
+}
+
+struct fins {
+	struct fin_vertex *vertices;
+	size_t count;
+};
+
+/* Into exactly as much memory as is needed, so that a sanitizer sees any write beyond. */
+static struct fins build(const struct caster *caster, const struct silhouette_edge *edges,
+	size_t edge_count, const struct fin_params *params)
+{
+	struct fin_scratch scratch;
+	fin_scratch_init(&scratch);
+	assert_true(fin_scratch_reserve(&scratch, caster, edge_count));
+	struct fins fins = {
+		.count = fins_build(caster, edges, edge_count, params, &scratch, NULL, 0)};
+	assert_int_equal(fins.count % 4, 0);
+	assert_true(fins.count <= fins_max_vertices(edge_count));
+	fins.vertices = malloc(fins.count * sizeof(*fins.vertices) + (fins.count == 0));
+	assert_non_null(fins.vertices);
+	assert_int_equal(
+		fins_build(caster, edges, edge_count, params, &scratch, fins.vertices, fins.count),
+		fins.count);
+	for (size_t v = 0; v < scratch.vertex_capacity; v++)
+		assert_int_equal(scratch.first[v], UINT32_MAX);
+	fin_scratch_finish(&scratch);
+	return fins;
+}
+
+static struct fins build_positions(const float (*positions)[3], size_t vertex_count,
+	const struct silhouette_edge *edges, size_t edge_count, const struct fin_params *params)
+{
+	struct caster caster = caster_of(positions, vertex_count);
+	return build(&caster, edges, edge_count, params);
+}
+
+static void assert_vertex(
+	const struct fin_vertex *v, const float position[3], const float offset[2], float width)
+{
+	float off = 0.0f;
+	for (int i = 0; i < 3; i++)
+		off = fmaxf(off, fabsf(v->position[i] - position[i]));
+	for (int i = 0; i < 2; i++)
+		off = fmaxf(off, fabsf(v->offset[i] - offset[i]));
+	off = fmaxf(off, fabsf(v->width - width));
+	if (!(off <= CLOSE))
+		fail_msg("(%g %g %g), (%g %g), %g is not (%g %g %g), (%g %g), %g", v->position[0],
+			v->position[1], v->position[2], v->offset[0], v->offset[1], v->width,
+			position[0], position[1], position[2], offset[0], offset[1], width);
+}
+
+static void an_edge_becomes_a_quad_on_its_right(void **state)
+{
+	(void)state;
+	const float positions[2][3] = {{-0.5f, 0, 0.25f}, {0.5f, 0, -0.25f}};
+	const struct silhouette_edge edge = {0, 1};
+	struct fin_params params = params_of(identity);
+	for (int mirrored = 0; mirrored < 2; mirrored++) {
+		params.mirrored = mirrored;
+		float y = mirrored ? 0.1f : -0.1f;
+		struct fins fins = build_positions(positions, 2, &edge, 1, &params);
+		assert_int_equal(fins.count, 4);
+		const struct fin_vertex *v = fins.vertices;
+		assert_vertex(&v[0], (float[]){-0.5f, 0, 0.25f}, (float[]){0, 0}, 0.1f);
+		assert_vertex(&v[1], (float[]){0.5f, 0, -0.25f}, (float[]){0, 0}, 0.1f);
+		assert_vertex(&v[2], (float[]){0.5f, y, -0.25f}, (float[]){0, y}, 0.1f);
+		assert_vertex(&v[3], (float[]){-0.5f, y, 0.25f}, (float[]){0, y}, 0.1f);
+		free(fins.vertices);
+	}
+}
+
+static void widths_follow_their_law(void **state)
+{
+	(void)state;
+	/* At the near plane, w = 1 and z = 0 in window space, and at the far plane, w = 3, z = 1.
+	 */
+	const float positions[2][3] = {{-1, 0, -1}, {3, 0, -3}};
+	const struct silhouette_edge edge = {0, 1};
+	const struct {
+		enum fin_width law;
+		float scale, near, far;
+	} cases[] = {
+		{FIN_WIDTH_CONSTANT, 0.3f, 0.3f, 0.3f},
+		{FIN_WIDTH_PERSPECTIVE, 0.3f, 0.3f, 0.1f},
+		{FIN_WIDTH_PARALLEL, 0.3f, 0.3f, 0.0f},
+	};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct fin_params params = params_of(perspective);
+		params.width = cases[i].law;
+		params.scale = cases[i].scale;
+		struct fins fins = build_positions(positions, 2, &edge, 1, &params);
+		assert_int_equal(fins.count, 4);
+		float near = cases[i].near, far = cases[i].far;
+		const struct fin_vertex *v = fins.vertices;
+		assert_vertex(&v[0], (float[]){-1, 0, -1}, (float[]){0, 0}, near);
+		assert_vertex(&v[1], (float[]){1, 0, 1}, (float[]){0, 0}, far);
+		assert_vertex(&v[2], (float[]){1, -far, 1}, (float[]){0, -far}, far);
+		assert_vertex(&v[3], (float[]){-1, -near, -1}, (float[]){0, -near}, near);
+		free(fins.vertices);
+	}
+}
+
+static void no_width_no_fin(void **state)
+{
+	(void)state;
+	const float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+	const struct silhouette_edge edges[] = {{0, 1}, {1, 2}};
+	const float scales[] = {0.0f, -1.0f, NAN};
+	for (size_t i = 0; i < 3; i++) {
+		struct fin_params params = params_of(identity);
+		params.scale = scales[i];
+		struct fins fins = build_positions(positions, 3, edges, 2, &params);
+		assert_int_equal(fins.count, 0);
+		free(fins.vertices);
+	}
+}
+
+/* Twice the area of triangle a, b, p; positive when p is on the left of a -> b. */
+static float side(const float a[2], const float b[2], const float p[2])
+{
+	return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+}
+
+static bool covers(const struct fin_vertex quad[4], const float p[2])
+{
+	bool left = true, right = true;
+	for (int i = 0; i < 4; i++) {
+		float s = side(quad[i].position, quad[(i + 1) % 4].position, p);
+		left = left && s >= -CLOSE;
+		right = right && s <= CLOSE;
+	}
+	return left || right;
+}
+
+/* Of the point, over all quads, as blending with MIN leaves it; 1 where there are none. */
+static float alpha_at(const struct fins *fins, const float p[2])
+{
+	float alpha = 1.0f;
+	for (size_t i = 0; i < fins->count; i += 4) {
+		const struct fin_vertex *quad = &fins->vertices[i];
+		if (!covers(quad, p))
+			continue;
+		/* Offsets are all "vertex minus silhouette", so that in quads of constant width the
+		 * offset at p follows from any two edges of the quad, as on the GPU. */
+		float u[2], v[2], q[2], d[2];
+		for (int c = 0; c < 2; c++) {
+			u[c] = quad[1].position[c] - quad[0].position[c];
+			v[c] = quad[3].position[c] - quad[0].position[c];
+			q[c] = p[c] - quad[0].position[c];
+		}
+		float det = u[0] * v[1] - u[1] * v[0];
+		float s = (q[0] * v[1] - q[1] * v[0]) / det, t = (u[0] * q[1] - u[1] * q[0]) / det;
+		for (int c = 0; c < 2; c++)
+			d[c] = quad[0].offset[c] + s * (quad[1].offset[c] - quad[0].offset[c]) +
+			       t * (quad[3].offset[c] - quad[0].offset[c]);
+		alpha = fminf(alpha, hypotf(d[0], d[1]) / quad[0].width);
+	}
+	return alpha;
+}
+
+/* Distance of p from the segments of the silhouette, as a share of the width. */
+static float distance_at(const float (*positions)[3], const struct silhouette_edge *edges,
+	size_t edge_count, float width, const float p[2])
+{
+	float least = width;
+	for (size_t e = 0; e < edge_count; e++) {
+		const float *a = positions[edges[e].a], *b = positions[edges[e].b];
+		float dx = b[0] - a[0], dy = b[1] - a[1];
+		float t = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / (dx * dx + dy * dy);
+		t = fminf(fmaxf(t, 0.0f), 1.0f);
+		least = fminf(least, hypotf(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy));
+	}
+	return least / width;
+}
+
+/* Blockers with corners of all angles: outside, alpha is the distance from the silhouette. */
+static void alpha_is_the_distance_outside_a_polygon(void **state)
+{
+	(void)state;
+	for (int corners = 3; corners <= 12; corners++) {
+		for (int star = 0; star < 2; star++) {
+			float positions[12][3] = {{0}};
+			struct silhouette_edge edges[12];
+			for (int i = 0; i < corners; i++) {
+				float angle = 6.2831853f * (float)i / (float)corners;
+				float radius = star && i % 2 ? 0.25f : 0.5f;
+				positions[i][0] = radius * cosf(angle);
+				positions[i][1] = radius * sinf(angle);
+				edges[i] = (struct silhouette_edge){
+					(uint32_t)i, (uint32_t)((i + 1) % corners)};
+			}
+			struct fin_params params = params_of(identity);
+			struct fins fins =
+				build_positions(positions, 12, edges, (size_t)corners, &params);
+			uint64_t random = 3;
+			for (int i = 0; i < 2000; i++) {
+				float p[2] = {random_signed(&random), random_signed(&random)};
+				float winding = 0.0f;
+				for (int e = 0; e < corners; e++) {
+					const float *a = positions[edges[e].a];
+					const float *b = positions[edges[e].b];
+					winding += atan2f(side(p, a, b),
+						(a[0] - p[0]) * (b[0] - p[0]) +
+							(a[1] - p[1]) * (b[1] - p[1]));
+				}
+				float expected =
+					distance_at(positions, edges, (size_t)corners, 0.1f, p);
+				if (fabsf(winding) < 3.0f)
+					assert_true(fabsf(alpha_at(&fins, p) - expected) < 1e-4f);
+			}
+			free(fins.vertices);
+		}
+	}
+}
+
+/* Seen in a mirror, the same polygon has the same fins, mirrored. */
+static void corners_swap_when_mirrored(void **state)
+{
+	(void)state;
+	const float positions[4][3] = {{0, 0, 0}, {0.5f, 0, 0}, {0.1f, 0.1f, 0}, {0, 0.5f, 0}};
+	const struct silhouette_edge edges[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+	struct fin_params params = params_of(identity);
+	struct fins plain = build_positions(positions, 4, edges, 4, &params);
+	assert_int_equal(plain.count, 4 * 4 + 3 * 4);
+	params.object_to_clip[0] = -1.0f;
+	params.mirrored = true;
+	struct fins mirrored = build_positions(positions, 4, edges, 4, &params);
+	assert_int_equal(mirrored.count, plain.count);
+	uint64_t random = 5;
+	for (int i = 0; i < 1000; i++) {
+		float p[2] = {random_signed(&random), random_signed(&random)};
+		float q[2] = {-p[0], p[1]};
+		assert_true(fabsf(alpha_at(&plain, p) - alpha_at(&mirrored, q)) < 1e-4f);
+	}
+	free(plain.vertices);
+	free(mirrored.vertices);
+}
+
+/* Two edges from (0,0) to the right and on at an angle; the blocker is above. */
+static void only_convex_corners_are_filled(void **state)
+{
+	(void)state;
+	const struct {
+		float x, y;
+		size_t corners;
+	} cases[] = {{1, 0.5f, 1}, {0.5f, 0.5f, 1}, {0, 0.5f, 1}, {1, 0, 0}, {1, -0.5f, 0},
+		{0.5f, -0.5f, 0}, {0, -0.5f, 0}, {0, 0, 1}, {0.25f, 0, 1}};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		const float positions[3][3] = {
+			{0, 0, 0}, {0.5f, 0, 0}, {cases[i].x, cases[i].y, 0}};
+		const struct silhouette_edge edges[] = {{0, 1}, {1, 2}};
+		struct fin_params params = params_of(identity);
+		struct fins fins = build_positions(positions, 3, edges, 2, &params);
+		assert_int_equal(fins.count, 8 + 4 * cases[i].corners);
+		free(fins.vertices);
+	}
+}
+
+static void a_full_turn_gets_half_a_disc(void **state)
+{
+	(void)state;
+	const float positions[2][3] = {{0, 0, 0}, {0.5f, 0, 0}};
+	const struct silhouette_edge edges[] = {{0, 1}, {1, 0}};
+	struct fin_params params = params_of(identity);
+	for (int mirrored = 0; mirrored < 2; mirrored++) {
+		params.mirrored = mirrored;
+		struct fins fins = build_positions(positions, 2, edges, 2, &params);
+		assert_int_equal(fins.count, 16);
+		uint64_t random = 9;
+		for (int i = 0; i < 1000; i++) {
+			float p[2] = {random_signed(&random), random_signed(&random)};
+			float expected = distance_at(positions, edges, 2, 0.1f, p);
+			assert_true(fabsf(alpha_at(&fins, p) - expected) < 1e-4f);
+		}
+		free(fins.vertices);
+	}
+}
+
+/* Two blockers that touch in one point of the silhouette. */
+static void more_than_two_edges_share_a_normal(void **state)
+{
+	(void)state;
+	const float positions[5][3] = {
+		{0, 0, 0}, {-0.5f, 0.2f, 0}, {-0.5f, 0.5f, 0}, {0.5f, 0.2f, 0}, {0.5f, 0.5f, 0}};
+	const struct silhouette_edge edges[] = {{1, 0}, {0, 2}, {4, 0}, {0, 3}};
+	struct fin_params params = params_of(identity);
+	struct fins fins = build_positions(positions, 5, edges, 4, &params);
+	assert_int_equal(fins.count, 4 * 4 + 4 * 4);
+	float mean[2] = {0, 0};
+	for (size_t e = 0; e < 4; e++)
+		for (int c = 0; c < 2; c++)
+			mean[c] += fins.vertices[4 * e + 2].offset[c];
+	float length = hypotf(mean[0], mean[1]);
+	for (size_t i = 16; i < fins.count; i += 4) {
+		/* Each joins the shared normal to an edge's: both outer ends are covered, at
+		 * alpha 1. */
+		float shared[2] = {0.1f * mean[0] / length, 0.1f * mean[1] / length};
+		assert_true(covers(&fins.vertices[i], shared));
+		bool joins = false;
+		for (size_t e = 0; e < 4; e++)
+			joins = joins || covers(&fins.vertices[i], fins.vertices[4 * e + 2].offset);
+		assert_true(joins);
+	}
+	free(fins.vertices);
+}
+
+static void opposite_normals_have_no_mean(void **state)
+{
+	(void)state;
+	const float positions[5][3] = {
+		{0, 0, 0}, {-0.5f, 0, 0}, {0.5f, 0, 0}, {0, -0.5f, 0}, {0, 0.5f, 0}};
+	const struct silhouette_edge edges[] = {{1, 0}, {0, 2}, {2, 0}, {0, 1}, {3, 0}, {4, 0}};
+	struct fin_params params = params_of(identity);
+	struct fins fins = build_positions(positions, 5, edges, 6, &params);
+	/* The ends (0.5, 0) and (-0.5, 0) are simple; the middle has no shared fin. */
+	assert_int_equal(fins.count, 6 * 4 + 2 * 4);
+	free(fins.vertices);
+}
+
+static void edges_seen_end_on_are_left_out(void **state)
+{
+	(void)state;
+	const float positions[4][3] = {{0, 0, 0}, {0, 0, 0.5f}, {1e-7f, 0, 0.9f}, {0.5f, 0, 0}};
+	const struct silhouette_edge edges[] = {{0, 1}, {1, 2}, {0, 3}};
+	struct fin_params params = params_of(identity);
+	struct fins fins = build_positions(positions, 4, edges, 3, &params);
+	assert_int_equal(fins.count, 4);
+	assert_true(fins.vertices[1].position[0] == 0.5f);
+	free(fins.vertices);
+}
+
+/* An end at the light itself, where every direction of the screen meets. */
+static void edges_that_end_nowhere_are_left_out(void **state)
+{
+	(void)state;
+	const float all_w[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0};
+	const float positions[2][3] = {{0, 0, 0}, {0.5f, 0.5f, 1}};
+	const struct silhouette_edge edge = {0, 1};
+	struct fin_params params = params_of(all_w);
+	struct fins fins = build_positions(positions, 2, &edge, 1, &params);
+	assert_int_equal(fins.count, 0);
+	free(fins.vertices);
+}
+
+static void edges_are_cut_at_the_near_plane(void **state)
+{
+	(void)state;
+	/* From w = 2 to w = 0, at x = 1: the near plane is met at w = 1, x / w = 1. */
+	const float positions[4][3] = {{1, 0, -2}, {1, 0, 0}, {1, 1, 5}, {0, 0, -2}};
+	const struct silhouette_edge edges[] = {{0, 1}, {1, 2}, {2, 0}, {3, 0}};
+	struct fin_params params = params_of(perspective);
+	params.width = FIN_WIDTH_PERSPECTIVE;
+	struct fins one = build_positions(positions, 4, edges, 1, &params);
+	assert_int_equal(one.count, 4);
+	const struct fin_vertex *v = one.vertices;
+	assert_vertex(&v[0], (float[]){0.5f, 0, 0.5f}, (float[]){0, 0}, 0.05f);
+	assert_vertex(&v[1], (float[]){1, 0, -1}, (float[]){0, 0}, 0.1f);
+	assert_vertex(&v[2], (float[]){1, -0.1f, -1}, (float[]){0, -0.1f}, 0.1f);
+	assert_vertex(&v[3], (float[]){0.5f, -0.05f, 0.5f}, (float[]){0, -0.05f}, 0.05f);
+	free(one.vertices);
+
+	struct fins behind = build_positions(positions, 4, &edges[1], 1, &params);
+	assert_int_equal(behind.count, 0);
+	free(behind.vertices);
+
+	/* What meets behind the near plane has no corner there; what meets in front has. */
+	const struct silhouette_edge meets_behind[] = {{0, 1}, {1, 3}};
+	struct fins open = build_positions(positions, 4, meets_behind, 2, &params);
+	struct fins loop = build_positions(positions, 4, edges, 3, &params);
+	struct fins shared = build_positions(positions, 4, edges, 4, &params);
+	assert_int_equal(open.count, 2 * 4);
+	assert_int_equal(loop.count, 2 * 4 + 4);
+	assert_int_equal(shared.count, 3 * 4 + 3 * 4);
+	free(open.vertices);
+	free(loop.vertices);
+	free(shared.vertices);
+}
+
+/* They are cut far outside the screen, and stay on the same line. */
+static void edges_far_off_the_screen_keep_their_line(void **state)
+{
+	(void)state;
+	const float ends[][2] = {
+		{8e6f, 2e6f}, {-8e6f, 2e6f}, {-2e6f, -8e6f}, {2e6f, 8e6f}, {3e38f, 1e38f}};
+	for (size_t i = 0; i < sizeof(ends) / sizeof(ends[0]); i++) {
+		const float positions[2][3] = {{0, 0, 0}, {ends[i][0], ends[i][1], 0}};
+		const struct silhouette_edge edge = {0, 1};
+		struct fin_params params = params_of(identity);
+		struct fins fins = build_positions(positions, 2, &edge, 1, &params);
+		assert_int_equal(fins.count, 4);
+		float length = hypotf(ends[i][0] / 1e6f, ends[i][1] / 1e6f) * 1e6f;
+		const float *far = fins.vertices[1].position, *offset = fins.vertices[2].offset;
+		assert_true(hypotf(far[0], far[1]) > 1000.0f);
+		assert_true(fabsf(offset[0] - 0.1f * ends[i][1] / length) <= CLOSE);
+		assert_true(fabsf(offset[1] + 0.1f * ends[i][0] / length) <= CLOSE);
+		assert_true(fabsf(far[0] / far[1] - ends[i][0] / ends[i][1]) <= 1e-5f);
+		free(fins.vertices);
+	}
+}
+
+static void everything_written_is_finite(void **state)
+{
+	(void)state;
+	const float extreme[] = {
+		0, -0.0f, 1e-45f, 1e-30f, 1, -1, 2e3f, -1e30f, 3e38f, INFINITY, NAN};
+	const size_t extremes = sizeof(extreme) / sizeof(extreme[0]);
+	uint64_t random = 13;
+	float positions[8][3];
+	struct silhouette_edge edges[12];
+	for (int round = 0; round < 20000; round++) {
+		struct fin_params params = {
+			.width = (enum fin_width)(random_next(&random) % 3),
+			.scale = extreme[random_next(&random) % extremes],
+			.mirrored = random_next(&random) % 2,
+		};
+		/* Extreme values are rare enough that most rounds leave something to see. */
+		size_t kinds = round % 2 == 0 ? 7 : extremes;
+		for (int i = 0; i < 16; i++)
+			params.object_to_clip[i] = random_next(&random) % 4 != 0
+							   ? perspective[i]
+							   : extreme[random_next(&random) % kinds];
+		for (int v = 0; v < 8; v++)
+			for (int c = 0; c < 3; c++)
+				positions[v][c] = random_next(&random) % 2
+							  ? 4.0f * random_signed(&random)
+							  : extreme[random_next(&random) % 9];
+		for (int e = 0; e < 12; e++)
+			edges[e] = (struct silhouette_edge){
+				random_next(&random) % 8, random_next(&random) % 8};
+		struct fins fins =
+			build_positions((const float(*)[3])positions, 8, edges, 12, &params);
+		for (size_t i = 0; i < fins.count; i++) {
+			const struct fin_vertex *v = &fins.vertices[i];
+			for (int c = 0; c < 3; c++)
+				assert_true(isfinite(v->position[c]));
+			assert_true(fabsf(v->position[2]) <= 1.0f);
+			assert_true(isfinite(v->offset[0]) && isfinite(v->offset[1]));
+			assert_true(isfinite(v->width) && v->width >= 0.0f);
+		}
+		free(fins.vertices);
+	}
+}
+
+static void writes_whole_quads_up_to_capacity(void **state)
+{
+	(void)state;
+	const float positions[3][3] = {{0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}};
+	const struct silhouette_edge edges[] = {{0, 1}, {1, 2}, {2, 0}};
+	struct caster caster = caster_of(positions, 3);
+	struct fin_params params = params_of(identity);
+	struct fins all = build(&caster, edges, 3, &params);
+	assert_int_equal(all.count, 24);
+	struct fin_scratch scratch;
+	fin_scratch_init(&scratch);
+	assert_true(fin_scratch_reserve(&scratch, &caster, 3));
+	for (size_t capacity = 4; capacity <= all.count; capacity += 4) {
+		struct fin_vertex *exact = malloc(capacity * sizeof(*exact));
+		assert_non_null(exact);
+		assert_int_equal(fins_build(&caster, edges, 3, &params, &scratch, exact, capacity),
+			all.count);
+		assert_memory_equal(exact, all.vertices, capacity * sizeof(*exact));
+		free(exact);
+	}
+	fin_scratch_finish(&scratch);
+	free(all.vertices);
+}
+
+static void scratch_grows_and_refuses(void **state)
+{
+	(void)state;
+	const float positions[2][3] = {{0, 0, 0}, {0.5f, 0, 0}};
+	struct caster small = caster_of(positions, 2);
+	struct caster huge = {.vertex_count = SIZE_MAX};
+	struct fin_scratch scratch;
+	fin_scratch_init(&scratch);
+	assert_true(fin_scratch_reserve(&scratch, &small, 1));
+	assert_false(fin_scratch_reserve(&scratch, &small, UINT32_MAX));
+	assert_false(fin_scratch_reserve(&scratch, &huge, 1));
+	assert_true(fin_scratch_reserve(&scratch, &small, 1000));
+	assert_int_equal(fins_max_vertices(1000), 12000);
+	assert_int_equal(fins_max_vertices(SIZE_MAX / 2), SIZE_MAX);
+	fin_scratch_finish(&scratch);
+}
+
+static void check_model(const char *name, const struct model *model)
+{
+	struct sm_mesh_desc desc = model_desc(model, name);
+	struct mesh mesh;
+	assert_true(mesh_init(&mesh, &desc, NULL));
+	size_t capacity = edge_table_records(&mesh.caster.edges);
+	uint64_t *facing = malloc(facing_words(&mesh.caster) * sizeof(*facing));
+	struct silhouette_edge *edges = malloc(capacity * sizeof(*edges) + 1);
+	assert_true(facing != NULL && edges != NULL);
+	facing_find(&mesh.caster, (const float[4]){0, 0, 1, 0}, facing);
+	size_t count = silhouette_find(&mesh.caster, facing, edges, capacity);
+
+	/* An orthographic light along -z that sees all of the mesh. */
+	const struct face_planes *planes = &mesh.caster.planes;
+	struct fin_params params = {.width = FIN_WIDTH_PARALLEL, .scale = 0.05f};
+	for (int i = 0; i < 3; i++) {
+		double scale = (i == 2 ? -0.9 : 0.9) / planes->radius;
+		params.object_to_clip[5 * i] = (float)scale;
+		params.object_to_clip[12 + i] = (float)(-scale * planes->center[i]);
+	}
+	params.object_to_clip[15] = 1.0f;
+	struct fins fins = build(&mesh.caster, edges, count, &params);
+	assert_true(count == 0 || fins.count > 0);
+	for (size_t i = 0; i < fins.count; i++)
+		assert_true(hypotf(fins.vertices[i].offset[0], fins.vertices[i].offset[1]) <=
+			    1.4143f * fins.vertices[i].width);
+	free(fins.vertices);
+	free(edges);
+	free(facing);
+	mesh_finish(&mesh);
+}
+
+static void takes_every_model(void **state)
+{
+	(void)state;
+	models_visit(SMOOTHIE_SHARED, check_model);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(an_edge_becomes_a_quad_on_its_right),
+		cmocka_unit_test(widths_follow_their_law),
+		cmocka_unit_test(no_width_no_fin),
+		cmocka_unit_test(alpha_is_the_distance_outside_a_polygon),
+		cmocka_unit_test(corners_swap_when_mirrored),
+		cmocka_unit_test(only_convex_corners_are_filled),
+		cmocka_unit_test(a_full_turn_gets_half_a_disc),
+		cmocka_unit_test(more_than_two_edges_share_a_normal),
+		cmocka_unit_test(opposite_normals_have_no_mean),
+		cmocka_unit_test(edges_seen_end_on_are_left_out),
+		cmocka_unit_test(edges_that_end_nowhere_are_left_out),
+		cmocka_unit_test(edges_are_cut_at_the_near_plane),
+		cmocka_unit_test(edges_far_off_the_screen_keep_their_line),
+		cmocka_unit_test(everything_written_is_finite),
+		cmocka_unit_test(writes_whole_quads_up_to_capacity),
+		cmocka_unit_test(scratch_grows_and_refuses),
+		cmocka_unit_test(takes_every_model),
+	};
+	return cmocka_run_group_tests_name("fins", tests, NULL, NULL);
+}

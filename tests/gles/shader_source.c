@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT */
+#include "gles/shader_source.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* Flags as #defines, in shader source. */
+static const struct {
+	uint32_t flag;
+	const char *name;
+} flags[] = {
+	{FLAG_SINUSOID, "SINUSOID"},
+	{FLAG_DEPTH_ONLY, "DEPTH_ONLY"},
+	{FLAG_RECEIVER_MAP, "RECEIVER_MAP"},
+	{FLAG_LIT, "LIT"},
+	{FLAG_SHADOWED, "SHADOWED"},
+	{FLAG_HARD, "HARD"},
+	{FLAG_SMOOTHIE, "SMOOTHIE"},
+	{FLAG_SEPARATE_DEPTH, "SEPARATE_DEPTH"},
+	{FLAG_GATHER, "GATHER"},
+	{FLAG_TEXTURED, "TEXTURED"},
+	{FLAG_VISIBILITY, "VISIBILITY"},
+	{FLAG_ENCODE_SRGB, "ENCODE_SRGB"},
+};
+
+#define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
+
+/* One stage as GL sees it. */
+struct source {
+	size_t parts;
+	char text[32768];
+};
+
+static void assemble(struct source *source, struct program_key key, enum shader_stage stage)
+{
+	const char *parts[SHADER_PARTS_MAX];
+	size_t used = 0;
+	source->parts = shader_parts(key, stage, parts);
+	assert_in_range(source->parts, 1, SHADER_PARTS_MAX);
+	for (size_t i = 0; i < source->parts; i++) {
+		size_t length = strlen(parts[i]);
+		assert_true(length < sizeof(source->text) - used);
+		memcpy(source->text + used, parts[i], length + 1);
+		used += length;
+	}
+}
+
+static void check_stage(struct program_key key, enum shader_stage stage)
+{
+	static struct source source;
+	assemble(&source, key, stage);
+	const char *version = key.flags & FLAG_GATHER ? "#version 310 es\n" : "#version 300 es\n";
+	assert_memory_equal(source.text, version, strlen(version));
+	/* Precision, before any declaration that it is for. */
+	const char *precision = strstr(source.text, "precision highp float;");
+	assert_non_null(precision);
+	static const char *const declarations[] = {"\nin ", "\nout ", "\nuniform ", "\nlayout"};
+	for (size_t i = 0; i < sizeof(declarations) / sizeof(declarations[0]); i++) {
+		const char *first = strstr(source.text, declarations[i]);
+		assert_true(first == NULL || first > precision);
+	}
+	const char *main_function = strstr(source.text, "\nvoid main()");
+	assert_non_null(main_function);
+	for (size_t i = 0; i < FLAG_COUNT; i++) {
+		char define[64];
+		snprintf(define, sizeof(define), "\n#define %s\n", flags[i].name);
+		const char *found = strstr(source.text, define);
+		assert_int_equal(found != NULL, (key.flags & flags[i].flag) != 0);
+		assert_true(found < main_function);
+	}
+}
+
+static void each_valid_variant_assembles_with_its_defines(void **state)
+{
+	(void)state;
+	size_t counts[PROGRAM_KINDS] = {0};
+	for (int kind = 0; kind < PROGRAM_KINDS; kind++) {
+		for (uint32_t bits = 0; bits < FLAG_END; bits++) {
+			struct program_key key = {.kind = kind, .flags = bits};
+			if (!program_key_is_valid(key))
+				continue;
+			check_stage(key, STAGE_VERTEX);
+			check_stage(key, STAGE_FRAGMENT);
+			counts[kind]++;
+		}
+	}
+	assert_int_equal(counts[PROGRAM_DEPTH_MAP], 1);
+	assert_int_equal(counts[PROGRAM_COPY], 1);
+	/* With and without a receiver map: linear, sinusoid, depth only. */
+	assert_int_equal(counts[PROGRAM_FIN], 6);
+	/* No light, no shadow, hard, and smoothie with or without its own depth and gathering; each
+	 * as visibility, or textured or not into sRGB or not. */
+	assert_int_equal(counts[PROGRAM_SURFACE], (3 + 2 * 2) * (1 + 2 * 2));
+}
+
+static void shadow_functions_come_with_the_flag_of_their_technique(void **state)
+{
+	(void)state;
+	static const struct {
+		uint32_t flags;
+		bool receiver, smoothie;
+	} cases[] = {
+		{FLAG_LIT, false, false},
+		{FLAG_LIT | FLAG_SHADOWED | FLAG_HARD, true, false},
+		{FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE, true, true},
+	};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		static struct source source;
+		struct program_key key = {PROGRAM_SURFACE, cases[i].flags};
+		assemble(&source, key, STAGE_FRAGMENT);
+		assert_int_equal(
+			strstr(source.text, "float receiver_depth(") != NULL, cases[i].receiver);
+		assert_int_equal(strstr(source.text, "uniform sampler2D smoothie_map") != NULL,
+			cases[i].smoothie);
+	}
+}
+
+static void flags_that_make_no_sense_are_refused(void **state)
+{
+	(void)state;
+	static const struct program_key keys[] = {
+		{PROGRAM_DEPTH_MAP, FLAG_LIT},
+		{PROGRAM_COPY, FLAG_ENCODE_SRGB},
+		{PROGRAM_FIN, FLAG_LIT},
+		{PROGRAM_FIN, FLAG_DEPTH_ONLY | FLAG_SINUSOID}, /* alpha is not written */
+		{PROGRAM_SURFACE, FLAG_SINUSOID},
+		{PROGRAM_SURFACE, FLAG_SHADOWED | FLAG_HARD}, /* of no light */
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED},  /* of no technique */
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_HARD},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SMOOTHIE},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SMOOTHIE},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_GATHER},
+		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_TEXTURED},
+		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_ENCODE_SRGB},
+		{PROGRAM_SURFACE, FLAG_END},
+	};
+	for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++)
+		assert_false(program_key_is_valid(keys[i]));
+}
+
+static void names_tell_variants_apart(void **state)
+{
+	(void)state;
+	char text[200], cut[8];
+	struct program_key key = {PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD};
+	assert_string_equal(program_key_name(key, text, sizeof(text)), "surface LIT SHADOWED HARD");
+	assert_string_equal(program_key_name(key, cut, sizeof(cut)), "surface");
+	struct program_key all = {PROGRAM_SURFACE, FLAG_END - 1};
+	assert_true(strlen(program_key_name(all, text, sizeof(text))) < sizeof(text) - 1);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(each_valid_variant_assembles_with_its_defines),
+		cmocka_unit_test(shadow_functions_come_with_the_flag_of_their_technique),
+		cmocka_unit_test(flags_that_make_no_sense_are_refused),
+		cmocka_unit_test(names_tell_variants_apart),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

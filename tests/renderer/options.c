@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: MIT */
+/* sm_renderer_set_shadows(): what it takes, and what it says to the rest. */
+#include "rig.h"
+#include <GLES3/gl3.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static void good_options_are_taken(void **state)
+{
+	struct rig *rig = *state;
+	GLint most;
+	glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+	const struct sm_shadow_options cases[] = {
+		{0},
+		{.technique = "hard"},
+		{.technique = "hard", .map_size = 1},
+		{.technique = "hard", .map_size = (uint32_t)most},
+		{.technique = "smoothie", .width = 1.0f},
+		{.technique = "smoothie", .width = 1e-6f, .falloff = SM_FALLOFF_SINUSOID},
+		{.falloff = SM_FALLOFF_LINEAR, .passes = 1},
+		{.map_size = 17, .passes = 2},
+	};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++)
+		rig_set_shadows(rig, &cases[i]);
+}
+
+static void bad_options_are_refused_with_a_reason(void **state)
+{
+	struct rig *rig = *state;
+	GLint most;
+	char limit[32];
+	glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+	snprintf(limit, sizeof(limit), "limit is %d", most);
+	const struct {
+		struct sm_shadow_options options;
+		const char *text;
+	} cases[] = {
+		{{.technique = "soft"}, "no technique \"soft\"; there are: smoothie, hard"},
+		{{.technique = ""}, "no technique \"\""},
+		{{.technique = "hard", .width = 0.1f}, "shadow width does nothing"},
+		{{.technique = "hard", .falloff = SM_FALLOFF_LINEAR},
+			"shadow falloff does nothing"},
+		{{.technique = "hard", .passes = 1}, "shadow passes does nothing"},
+		{{.map_size = (uint32_t)most + 1}, limit},
+		{{.technique = "hard", .map_size = UINT32_MAX}, limit},
+		{{.passes = 3}, "3 smoothie passes"},
+		{{.width = 2.0f}, "smoothie width of 2"},
+		{{.width = -0.1f}, "smoothie width of -0.1"},
+		{{.width = (float)NAN}, "smoothie width of nan"},
+	};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct sm_error error = {0};
+		assert_false(sm_renderer_set_shadows(rig->renderer, &cases[i].options, &error));
+		assert_int_equal(error.status, SM_ERROR_INPUT);
+		if (strstr(error.text, cases[i].text) == NULL)
+			fail_msg("\"%s\" says nothing of \"%s\"", error.text, cases[i].text);
+		assert_false(sm_renderer_set_shadows(rig->renderer, &cases[i].options, NULL));
+	}
+}
+
+static void techniques_have_names_and_summaries_the_default_first(void **state)
+{
+	struct rig *rig = *state;
+	size_t count = 0;
+	assert_string_equal(sm_technique_name(0), "smoothie");
+	for (; sm_technique_name(count) != NULL; count++) {
+		struct sm_shadow_options options = {.technique = sm_technique_name(count)};
+		rig_set_shadows(rig, &options);
+		assert_true(strlen(sm_technique_summary(count)) > 0);
+	}
+	assert_null(sm_technique_summary(count));
+	assert_null(sm_technique_name(SIZE_MAX));
+}
+
+struct facts {
+	int count;
+	bool renderer, smoothie_buffer;
+};
+
+static void note_fact(void *data, const char *key, const char *value)
+{
+	struct facts *facts = data;
+	assert_true(strlen(key) > 0 && strlen(value) > 0);
+	facts->count++;
+	facts->renderer |= strcmp(key, "renderer") == 0;
+	facts->smoothie_buffer |=
+		strcmp(key, "smoothie buffer") == 0 && strstr(value, "MIN blend in ") != NULL;
+}
+
+static void the_renderer_describes_itself(void **state)
+{
+	struct rig *rig = *state;
+	struct facts first = {0}, second = {0};
+	sm_renderer_describe(rig->renderer, note_fact, &first);
+	sm_renderer_describe(rig->renderer, note_fact, &second);
+	assert_true(first.renderer && first.smoothie_buffer);
+	assert_int_equal(first.count, second.count);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		rig_test(good_options_are_taken),
+		rig_test(bad_options_are_refused_with_a_reason),
+		rig_test(techniques_have_names_and_summaries_the_default_first),
+		rig_test(the_renderer_describes_itself),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: MIT */
+/* The light's screen and depth range, and the formulas of scene/light.h in plain doubles. */
+#include "scene/light.h"
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static void add_cube(struct sm_scene *scene, bool casts, float half, const float center[3])
+{
+	static const uint32_t indices[] = {0, 1, 2, 1, 2, 3, 4, 5, 6, 5, 6, 7};
+	float positions[8][3];
+	for (int i = 0; i < 8; i++)
+		for (int axis = 0; axis < 3; axis++)
+			positions[i][axis] = i >> axis & 1 ? half : -half;
+	struct sm_mesh_desc mesh = {.positions = positions[0],
+		.vertex_count = 8,
+		.indices = indices,
+		.index_count = 12};
+	struct sm_object_desc object = {
+		.transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, center[0], center[1], center[2],
+			1},
+		.image = SM_NONE,
+		.casts = casts,
+		.receives = true,
+	};
+	uint32_t handle;
+	assert_true(sm_scene_add_mesh(scene, &mesh, &object.mesh, NULL));
+	assert_true(sm_scene_add_object(scene, &object, &handle, NULL));
+}
+
+static struct sm_light_desc light_at(enum sm_light_type type, float x, float y, float z)
+{
+	return (struct sm_light_desc){
+		.type = type, .position = {x, y, z}, .radius = 0.5f, .angle = 50};
+}
+
+/* Homogeneous light clip space. */
+static void project(const struct light_frame *frame, const double p[3], double clip[4])
+{
+	for (int row = 0; row < 4; row++) {
+		clip[row] = frame->world_to_clip[3][row];
+		for (int column = 0; column < 3; column++)
+			clip[row] += (double)frame->world_to_clip[column][row] * p[column];
+	}
+}
+
+/* Points of a grid on each face of the object's box: those on the light's screen have a depth in
+ * [0, 1]; all are on it if they have to. Returns how many are. */
+static int assert_inside(const struct light_frame *frame, const struct object *object, bool all)
+{
+	int on_screen = 0;
+	for (int i = 0; i < 3 * 2 * 9 * 9; i++) {
+		const int face = i / 81, axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+		double p[3], clip[4], share[3];
+		share[axis] = face % 2;
+		share[u] = i % 9 / 8.0;
+		share[v] = i / 9 % 9 / 8.0;
+		for (int k = 0; k < 3; k++)
+			p[k] = object->min[k] +
+			       share[k] * ((double)object->max[k] - object->min[k]);
+		project(frame, p, clip);
+		bool inside = clip[3] > 0 && fabs(clip[0]) <= clip[3] && fabs(clip[1]) <= clip[3];
+		assert_true(inside || !all);
+		assert_true(!inside || fabs(clip[2]) <= clip[3]);
+		on_screen += inside;
+	}
+	return on_screen;
+}
+
+static void the_depth_range_holds_casters_and_receivers(void **state)
+{
+	(void)state;
+	static const float scales[] = {1e-3f, 1, 1e4f};
+	static const float positions[][3] = {{0, 8, 0}, {1, 8, 2}, {-6, 7, 1}, {3, 9, -4}};
+	for (size_t s = 0; s < sizeof(scales) / sizeof(scales[0]); s++) {
+		float k = scales[s];
+		struct sm_scene *scene = sm_scene_create();
+		assert_non_null(scene);
+		add_cube(scene, true, 0.7f * k, (const float[]){0.3f * k, k, 0});
+		add_cube(scene, true, 0.2f * k, (const float[]){-k, 2 * k, 0.5f * k});
+		add_cube(scene, false, 2 * k, (const float[]){0, -2 * k, 0});
+		for (size_t i = 0; i < sizeof(positions) / sizeof(positions[0]); i++) {
+			const float *p = positions[i];
+			struct light_frame frame;
+			struct sm_light_desc light =
+				light_at(SM_LIGHT_SPOT, p[0] * k, p[1] * k, p[2] * k);
+			light_frame_init(&frame, &light, scene);
+			for (size_t o = 0; o < 3; o++)
+				assert_true(assert_inside(&frame, &scene->objects[o], false) > 0);
+			light.type = SM_LIGHT_DIRECTIONAL;
+			light_frame_init(&frame, &light, scene);
+			/* What only receives may lie beside the screen: it is lit there. */
+			for (size_t o = 0; o < 2; o++)
+				assert_inside(&frame, &scene->objects[o], true);
+			assert_true(frame.far > frame.near);
+		}
+		sm_scene_destroy(scene);
+	}
+}
+
+/* Two cubes on the axis of a light at (0, 10, 0): a caster down from `top`, and a floor. */
+static struct sm_scene *tower(float top)
+{
+	struct sm_scene *scene = sm_scene_create();
+	assert_non_null(scene);
+	add_cube(scene, true, 0.5f, (const float[]){0, top - 0.5f, 0});
+	add_cube(scene, false, 1, (const float[]){0, -1, 0});
+	return scene;
+}
+
+static void the_near_plane_is_tight_but_not_too_near(void **state)
+{
+	(void)state;
+	static const struct {
+		float top, near;
+	} cases[] = {
+		{6, 4}, /* just above the caster */
+		{9.9f, 0.1f},
+		{9.9999f, 0.012f}, /* a thousandth of the far plane's distance, which is 12 */
+		{10.2f, 0.8f},     /* around the light: the cone leaves it below */
+	};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct sm_scene *scene = tower(cases[i].top);
+		struct sm_light_desc light = light_at(SM_LIGHT_SPOT, 0, 10, 0);
+		struct light_frame frame;
+		light_frame_init(&frame, &light, scene);
+		assert_float_equal(frame.near, cases[i].near, 0.002f * cases[i].near);
+		assert_float_equal(frame.far, 12, 0.002f * 12);
+		sm_scene_destroy(scene);
+	}
+}
+
+static void scenes_without_casters_or_objects_have_a_range_too(void **state)
+{
+	(void)state;
+	struct sm_scene *empty = sm_scene_create(), *floor = sm_scene_create();
+	assert_true(empty != NULL && floor != NULL);
+	add_cube(floor, false, 1, (const float[]){0, -1, 0});
+	const struct sm_scene *scenes[] = {empty, floor};
+	for (int i = 0; i < 4; i++) {
+		/* Towards what there is, or away from it. */
+		struct sm_light_desc light =
+			light_at(i % 2 == 0 ? SM_LIGHT_SPOT : SM_LIGHT_DIRECTIONAL, 0, 5, 0);
+		light.target[1] = i < 2 ? 0 : 9;
+		for (int s = 0; s < 2; s++) {
+			struct light_frame frame;
+			light_frame_init(&frame, &light, scenes[s]);
+			assert_true(frame.far > frame.near && isfinite(frame.far));
+			assert_true(frame.half_extent > 0 && isfinite(frame.half_extent));
+			for (int j = 0; j < 16; j++)
+				assert_true(isfinite(frame.world_to_clip[j / 4][j % 4]));
+		}
+	}
+	sm_scene_destroy(empty);
+	sm_scene_destroy(floor);
+}
+
+/* Window depth at distance z along the axis, as GL has it. */
+static double window_depth(const struct light_frame *frame, double z)
+{
+	double near_plane = frame->near, far_plane = frame->far;
+	double linear = (z - near_plane) / (far_plane - near_plane);
+	return frame->parallel ? linear : linear * far_plane / z;
+}
+
+/* Steps over the whole depth range, closest to the near plane where the depth map is finest. */
+#define DEPTHS 200
+
+static double distance_at(const struct light_frame *frame, int step)
+{
+	double t = (double)step / DEPTHS;
+	return frame->near + t * t * ((double)frame->far - frame->near);
+}
+
+static void assert_formulas(const struct light_frame *frame)
+{
+	double k = frame->near_to_far, range = (double)frame->far - frame->near;
+	for (int i = 0; i <= DEPTHS; i++) {
+		double r = distance_at(frame, i), d_r = window_depth(frame, r);
+		double linear = d_r * k / (1 - d_r * (1 - k));
+		assert_true(fabs(linear - (r - frame->near) / range) < 1e-6);
+		for (int j = 0; j < i; j++) {
+			double b = distance_at(frame, j), d_b = window_depth(frame, b);
+			double share = (d_r - d_b) / (frame->pole - d_b);
+			double exact = frame->parallel ? (r - b) / (frame->far - b) : 1 - b / r;
+			/* pole is a float next to 1, and d_b may be near to it. */
+			assert_true(
+				fabs(share - exact) < FLT_EPSILON / (frame->pole - d_b) + 1e-12);
+		}
+	}
+}
+
+/* The matrices give the distance and the depth that the formulas start from; the axis is -y. */
+static void assert_matrices(const struct light_frame *frame)
+{
+	double start = frame->world_to_light[3][2];
+	for (int i = 0; i <= DEPTHS; i++) {
+		double z = distance_at(frame, i), clip[4];
+		project(frame, (double[]){0, start - z, 0}, clip);
+		double d = 0.5 + 0.5 * clip[2] / clip[3];
+		/* Rounding of the matrix, in front of a depth that runs as near / z^2. */
+		double slope = frame->parallel ? 1 : fmax(1, frame->far / z * frame->near / z);
+		assert_true(fabs(d - window_depth(frame, z)) < 2e-6 * slope);
+		assert_true(fabs(clip[0] / clip[3]) < 1e-5 && fabs(clip[1] / clip[3]) < 1e-5);
+	}
+	assert_float_equal(frame->world_to_light[1][2], -1, 1e-6f);
+}
+
+static void window_depth_gives_linear_depth_and_the_share_of_the_penumbra(void **state)
+{
+	(void)state;
+	/* near / far from a thousandth up to a half, its two limits. */
+	static const float tops[] = {9.999f, 9.5f, 8, 4, 1, 0.5f};
+	for (size_t i = 0; i < sizeof(tops) / sizeof(tops[0]); i++) {
+		struct sm_scene *scene = tower(tops[i]);
+		struct sm_light_desc light = light_at(SM_LIGHT_SPOT, 0, 10, 0);
+		struct light_frame frame;
+		light_frame_init(&frame, &light, scene);
+		assert_float_equal(frame.half_extent, tanf(glm_rad(25)), 1e-6f);
+		assert_float_equal(frame.disc, 0.5f, 0);
+		assert_formulas(&frame);
+		assert_matrices(&frame);
+		light.type = SM_LIGHT_DIRECTIONAL;
+		light_frame_init(&frame, &light, scene);
+		assert_float_equal(frame.disc, 0.05f, 1e-8f); /* radius over distance */
+		assert_formulas(&frame);
+		assert_matrices(&frame);
+		sm_scene_destroy(scene);
+	}
+}
+
+static void the_origin_is_a_position_or_a_direction(void **state)
+{
+	(void)state;
+	struct sm_scene *scene = tower(4);
+	struct light_frame frame;
+	struct sm_light_desc light = light_at(SM_LIGHT_SPOT, 3, 4, 0);
+	light_frame_init(&frame, &light, scene);
+	assert_memory_equal(frame.origin, ((float[]){3, 4, 0, 1}), 4 * sizeof(float));
+	light.type = SM_LIGHT_DIRECTIONAL;
+	light_frame_init(&frame, &light, scene);
+	static const float towards[4] = {0.6f, 0.8f, 0, 0};
+	for (int i = 0; i < 4; i++)
+		assert_float_equal(frame.origin[i], towards[i], 1e-6f);
+	sm_scene_destroy(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(the_depth_range_holds_casters_and_receivers),
+		cmocka_unit_test(the_near_plane_is_tight_but_not_too_near),
+		cmocka_unit_test(scenes_without_casters_or_objects_have_a_range_too),
+		cmocka_unit_test(window_depth_gives_linear_depth_and_the_share_of_the_penumbra),
+		cmocka_unit_test(the_origin_is_a_position_or_a_direction),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SUPPORT_RIG_H
+#define SUPPORT_RIG_H
+
+#include <smoothie.h>
+
+/** What a test that draws starts with: its own context, a renderer, and a scene to fill. */
+struct rig {
+	struct platform *platform;
+	struct sm_renderer *renderer;
+	struct sm_scene *scene; /* empty; no ambient light, black background */
+	unsigned int problems;  /* errors that library or driver logged */
+	char problem[500];      /* the first of them */
+};
+
+/** cmocka fixtures, *state being the rig. The teardown fails the test if an error was logged. */
+int rig_setup(void **state);
+int rig_teardown(void **state);
+#define rig_test(test) cmocka_unit_test_setup_teardown(test, rig_setup, rig_teardown)
+
+/** The functions of smoothie.h, failing the test with their error's text. */
+void rig_set_shadows(struct rig *rig, const struct sm_shadow_options *options);
+void rig_draw(struct rig *rig, const struct sm_scene *scene, const struct sm_view *view);
+
+#endif
