@@ -95,10 +95,30 @@ static bool draw_frame(struct bench *bench, enum contender contender, struct sm_
 	return sm_renderer_draw(bench->renderers[contender], bench->stage.scene, &view, error);
 }
 
+/* Nothing but the casters' triangles, front and back, into a depth texture. */
 static bool draw_depth(struct bench *bench, int which, struct sm_error *error)
 {
-	return depth_map_draw(&bench->depths[which], &bench->renderers[0]->gpu, bench->stage.scene,
-		which == 0 ? &bench->light : &bench->view, DEPTH_OF_CASTERS, error);
+	struct gpu *gpu = &bench->renderers[0]->gpu;
+	const struct sm_scene *scene = bench->stage.scene;
+	const struct light_frame *frame = which == 0 ? &bench->light : &bench->view;
+	struct program_key key = {.kind = PROGRAM_DEPTH_MAP};
+	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
+	if (program == NULL)
+		return false;
+	target_bind(&bench->depths[which].target, &gpu->gl);
+	glEnable(GL_DEPTH_TEST);
+	glClear(GL_DEPTH_BUFFER_BIT);
+	for (size_t i = 0; i < scene->object_count; i++) {
+		const struct object *object = &scene->objects[i];
+		mat4 to_clip;
+		if (!object->casts)
+			continue;
+		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
+		glUniformMatrix4fv(program->uniform.object_to_clip, 1, GL_FALSE, to_clip[0]);
+		gpu_draw_caster(gpu, &gpu->scene.meshes[object->mesh]);
+	}
+	glBindVertexArray(0);
+	return true;
 }
 
 static void draw_full_screen(struct bench *bench, GLuint program)
@@ -272,7 +292,7 @@ static bool parse(struct options *options, int argc, char **argv)
 		uint32_t *value = option == 's'   ? &options->size
 				  : option == 'm' ? &options->map
 				  : option == 'n' ? &options->rounds
-				: option == 'o' ? &options->only
+				  : option == 'o' ? &options->only
 						  : NULL;
 		if (option == 'h') {
 			usage(stdout);

@@ -182,7 +182,8 @@ enum sm_falloff {
  *  use must stay zero: setting it is an error. */
 struct sm_shadow_options {
 	const char *technique;   /**< a name of sm_technique_name(); NULL: the default, "smoothie" */
-	uint32_t map_size;       /**< texels a side of the shadow map; default 1024 */
+	uint32_t map_size;       /**< texels a side of the shadow map, 16 to the driver's limit;
+				      default 1024 */
 	float width;             /**< smoothie: t of the paper, the fins' width as a share of the
 				      light's screen, (0, 1]; default: from the light's radius */
 	enum sm_falloff falloff; /**< smoothie: default linear */

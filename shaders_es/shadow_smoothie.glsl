@@ -37,8 +37,8 @@ float shadow_visibility(vec3 p)
 	vec3 s = on_screen(p);
 	float depth = receiver_depth(s);
 	// Beside the map all four taps are a border texel.
-	vec2 texel = clamp(s.xy * map_size.x - 0.5, vec2(0.0), vec2(map_size.x - 1.001));
-	vec2 corner = floor(texel);
+	vec2 texel = clamp(s.xy * map_size.x - 0.5, vec2(0.0), vec2(map_size.x - 1.0));
+	vec2 corner = min(floor(texel), vec2(map_size.x - 2.0));
 	vec2 f = texel - corner;
 	vec4 lit = fetch_lit(corner, depth);
 	vec4 alpha = FETCH(smoothie_map, 1, corner);

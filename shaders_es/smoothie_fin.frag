@@ -37,7 +37,9 @@ void main()
 #ifndef DEPTH_ONLY
 	alpha /= full;
 #ifdef SINUSOID
-	alpha = textureLod(falloff, vec2(alpha, 0.5), 0.0).r;
+	// From the middle of the first entry to that of the last.
+	float entries = float(textureSize(falloff, 0).x);
+	alpha = textureLod(falloff, vec2((alpha * (entries - 1.0) + 0.5) / entries, 0.5), 0.0).r;
 #endif
 	smoothie = vec4(linear_depth(b), alpha, 1.0, 1.0);
 #endif

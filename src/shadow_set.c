@@ -4,6 +4,8 @@
 #include <stdlib.h>
 
 #define MAP_SIZE_DEFAULT 1024
+/* Below, the border texels, which stay clear, would be most of the map. */
+#define MAP_SIZE_MIN 16
 
 static bool check_used(const struct sm_shadow_options *options, const struct technique *technique,
 	struct sm_error *error)
@@ -28,10 +30,12 @@ static bool check_used(const struct sm_shadow_options *options, const struct tec
 static bool check_range(
 	const struct sm_shadow_options *options, const struct caps *caps, struct sm_error *error)
 {
-	if (options->map_size > (uint32_t)caps->max_texture_size)
+	uint32_t most = (uint32_t)caps->max_texture_size;
+	if (options->map_size != 0 &&
+		(options->map_size < MAP_SIZE_MIN || options->map_size > most))
 		return error_set(error, SM_ERROR_INPUT,
-			"a shadow map of %u texels a side; this driver's limit is %d",
-			options->map_size, caps->max_texture_size);
+			"a shadow map of %u texels a side; with this driver it goes from %d to %u",
+			options->map_size, MAP_SIZE_MIN, most);
 	if (!(options->width >= 0.0f && options->width <= 1.0f))
 		return error_set(error, SM_ERROR_INPUT,
 			"a smoothie width of %g; it goes from 0 to 1 (0: from the light's radius)",

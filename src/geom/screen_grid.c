@@ -109,6 +109,28 @@ int screen_grid_run_end(const struct screen_grid *grid, int x, int row)
 	return x;
 }
 
+bool screen_grid_bounds(const struct screen_grid *grid, int min[2], int max[2])
+{
+	uint64_t columns = 0;
+	min[1] = SCREEN_GRID_SIZE;
+	for (int row = 0; row < SCREEN_GRID_SIZE; row++) {
+		columns |= grid->rows[row];
+		if (grid->rows[row] == 0)
+			continue;
+		min[1] = row < min[1] ? row : min[1];
+		max[1] = row + 1;
+	}
+	if (columns == 0)
+		return false;
+	min[0] = 0;
+	max[0] = SCREEN_GRID_SIZE;
+	while (!(columns >> min[0] & 1))
+		min[0]++;
+	while (!(columns >> (max[0] - 1) & 1))
+		max[0]--;
+	return true;
+}
+
 bool screen_grid_has(const struct screen_grid *grid, int x, int row)
 {
 	return grid->rows[row] >> x & 1;

@@ -37,6 +37,9 @@ bool screen_grid_touches(const struct screen_grid *grid, const float min[2], con
 /** End of the run of cells that starts at x in the row, all marked or all not: x < end <= size. */
 int screen_grid_run_end(const struct screen_grid *grid, int x, int row);
 
+/** The cells min <= x, row < max around all marked ones; false if there are none. */
+bool screen_grid_bounds(const struct screen_grid *grid, int min[2], int max[2]);
+
 bool screen_grid_has(const struct screen_grid *grid, int x, int row);
 
 #endif

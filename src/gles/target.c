@@ -49,9 +49,14 @@ void target_bind(const struct target *target, struct gl *gl)
 	gl->Viewport(0, 0, target->size, target->size);
 }
 
-void target_spare_border(const struct target *target, struct gl *gl)
+struct target_area target_inside(const struct target *target)
 {
 	GLsizei inside = target->size > 2 ? target->size - 2 : 0;
+	return (struct target_area){1, 1, inside, inside};
+}
+
+void target_restrict(struct target_area area, struct gl *gl)
+{
 	gl->Enable(GL_SCISSOR_TEST);
-	gl->Scissor(1, 1, inside, inside);
+	gl->Scissor(area.x, area.y, area.width, area.height);
 }

@@ -21,8 +21,17 @@ void target_finish(struct target *target, struct gl *gl);
 /** Binds framebuffer and viewport. */
 void target_bind(const struct target *target, struct gl *gl);
 
-/** Has drawing leave the outermost texels as they are cleared, until the scissor test is disabled:
- *  look-ups beside the texture are clamped to them, and find nothing. */
-void target_spare_border(const struct target *target, struct gl *gl);
+/** Texels of a target: left, bottom, width, height. */
+struct target_area {
+	GLint x, y;
+	GLsizei width, height;
+};
+
+/** All but the outermost texels: while they stay as they are cleared, look-ups beside the texture,
+ *  which are clamped to them, find nothing. */
+struct target_area target_inside(const struct target *target);
+
+/** Restricts clearing and drawing until the scissor test is disabled. */
+void target_restrict(struct target_area area, struct gl *gl);
 
 #endif

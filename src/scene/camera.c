@@ -45,8 +45,6 @@ static void fit_depth_range(
 	/* A thousandth more on either side, for what rounding may have cut off. */
 	*far_plane = farthest * 1.001f;
 	*near_plane = fmaxf(fminf(nearest, farthest) * 0.999f, *far_plane * NEAR_TO_FAR_MIN);
-	if (!(*near_plane < *far_plane * 0.999f))
-		*near_plane = *far_plane * 0.5f;
 }
 
 bool camera_world_to_clip(const struct sm_camera *camera, const struct sm_scene *scene,

@@ -40,21 +40,11 @@ bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content 
 	return false;
 }
 
-bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error)
+static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, enum depth_map_content content,
+	const struct program *program)
 {
 	struct gl *gl = &gpu->gl;
-	struct program_key key = {.kind = PROGRAM_DEPTH_MAP};
-	const struct program *program = program_use(&gpu->programs, gl, key, error);
-	if (program == NULL)
-		return false;
-	gl_push_group(gl, __func__);
-	target_bind(&map->target, gl);
-	gl->DepthMask(GL_TRUE);
-	gl->Enable(GL_DEPTH_TEST);
-	gl->DepthFunc(GL_LESS);
-	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
-	target_spare_border(&map->target, gl);
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
 		if (!has_content(object, content))
@@ -67,9 +57,49 @@ bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scen
 		gpu_draw_caster(gpu, &gpu->scene.meshes[object->mesh]);
 	}
 	gl->Disable(GL_CULL_FACE);
+}
+
+static bool draw_inside(struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, enum depth_map_content content, struct target_area area,
+	struct sm_error *error)
+{
+	struct gl *gl = &gpu->gl;
+	struct program_key key = {.kind = PROGRAM_DEPTH_MAP};
+	const struct program *program = program_use(&gpu->programs, gl, key, error);
+	if (program == NULL)
+		return false;
+	gl_push_group(gl, __func__);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_LESS);
+	target_restrict(area, gl);
+	draw_casters(gpu, scene, frame, content, program);
 	gl->Disable(GL_SCISSOR_TEST);
 	gl_pop_group(gl);
 	return true;
+}
+
+static void clear(struct gl *gl)
+{
+	gl->DepthMask(GL_TRUE);
+	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
+}
+
+bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error)
+{
+	target_bind(&map->target, &gpu->gl);
+	clear(&gpu->gl);
+	return draw_inside(gpu, scene, frame, content, target_inside(&map->target), error);
+}
+
+bool depth_map_draw_area(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, enum depth_map_content content, struct target_area area,
+	struct sm_error *error)
+{
+	target_bind(&map->target, &gpu->gl);
+	target_restrict(area, &gpu->gl);
+	clear(&gpu->gl);
+	return draw_inside(gpu, scene, frame, content, area, error);
 }
 
 /* How light space becomes window coordinates: w = z, x, y / (2 extent w), K (1 - near / w) for a

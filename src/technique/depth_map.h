@@ -20,9 +20,14 @@ enum depth_map_content { DEPTH_OF_CASTERS, DEPTH_OF_RECEIVERS_ONLY };
 /** True if the scene has objects of that kind. */
 bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content content);
 
-/** Clears the map and draws the objects into it. */
+/** Clears the map and draws the objects into its inside. */
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error);
+
+/** The same within an area alone; what is around it is not touched. */
+bool depth_map_draw_area(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, enum depth_map_content content, struct target_area area,
+	struct sm_error *error);
 
 /** Binds the map for a surface program, and sets the uniforms of shadow_receiver.glsl. */
 void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct light_frame *frame,

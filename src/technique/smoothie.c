@@ -70,6 +70,20 @@ static void smoothie_finish(void *state, struct gpu *gpu)
 	depth_map_finish(&smoothie->casters, gpu);
 }
 
+/* The texels of the cells that fins are in. */
+static struct target_area fin_area(const struct smoothie *smoothie)
+{
+	GLsizei size = smoothie->casters.target.size;
+	int min[2], max[2];
+	if (!screen_grid_bounds(&smoothie->fins.grid, min, max))
+		return (struct target_area){0};
+	GLint x = min[0] * size / SCREEN_GRID_SIZE, y = min[1] * size / SCREEN_GRID_SIZE;
+	/* Up to the texel that the last cell ends in. */
+	GLint right = (max[0] * size + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
+	GLint top = (max[1] * size + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
+	return (struct target_area){x, y, right - x, top - y};
+}
+
 /* A fin's texel asks for the distance of the receiver, which need not be a caster. */
 static bool draw_receivers(struct smoothie *smoothie, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
@@ -78,8 +92,8 @@ static bool draw_receivers(struct smoothie *smoothie, struct gpu *gpu, const str
 		!depth_map_init(
 			&smoothie->receivers, gpu, (uint32_t)smoothie->casters.target.size, error))
 		return false;
-	return depth_map_draw(
-		&smoothie->receivers, gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, error);
+	return depth_map_draw_area(&smoothie->receivers, gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY,
+		fin_area(smoothie), error);
 }
 
 static bool draw_fins(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
@@ -119,7 +133,7 @@ static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
 	gl->ClearBufferfv(GL_COLOR, 0, lit);
 	gl->Enable(GL_BLEND);
 	gl->BlendEquation(GL_MIN);
-	target_spare_border(&smoothie->buffer, gl);
+	target_restrict(target_inside(&smoothie->buffer), gl);
 	bool drawn = draw_fins(smoothie, gpu, frame, flags, error);
 	gl->BlendEquation(GL_FUNC_ADD);
 	gl->Disable(GL_BLEND);

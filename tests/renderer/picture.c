@@ -138,6 +138,19 @@ static void a_slanted_light_gives_the_cosine(void **state)
 	assert_center(rig, &overhead, (const double[]){0.5, 0.5, 0.5});
 }
 
+static void light_from_behind_the_seen_side_is_none(void **state)
+{
+	struct rig *rig = *state;
+	parts_add_object(rig->scene, parts_add_square(rig->scene), 0, &floor_pose);
+	struct sm_light_desc below = lamp;
+	below.position[1] = -4;
+	parts_add_light(rig->scene, &below);
+	struct sm_camera beneath = overhead;
+	beneath.eye[1] = -5;
+	assert_center(rig, &overhead, (const double[]){0, 0, 0});
+	assert_center(rig, &beneath, (const double[]){1, 1, 1});
+}
+
 /* Along a line from the axis of a spot to its cone, 0.705 units on the floor; the picture shows
  * 1.82 to either side. */
 static void a_spot_fades_towards_its_cone_and_ends_there(void **state)
@@ -309,6 +322,7 @@ int main(void)
 		rig_test(intensity_one_shows_a_facing_white_surface_as_white),
 		rig_test(spots_fall_off_with_the_distance_squared_and_directional_lights_do_not),
 		rig_test(a_slanted_light_gives_the_cosine),
+		rig_test(light_from_behind_the_seen_side_is_none),
 		rig_test(a_spot_fades_towards_its_cone_and_ends_there),
 		rig_test(ambient_light_comes_from_above_and_below),
 		rig_test(an_image_multiplies_the_base_color_with_its_first_row_at_v_zero),
