@@ -229,7 +229,7 @@ static bool run_rounds(
 	/* The first two rounds compile every variant and settle the caches. */
 	for (uint32_t round = 0; round < options->rounds + 2; round++) {
 		for (int i = 0; i < CONTENDERS; i++) {
-			if (options->only != 0 && (int)options->only != i + 1)
+			if (round >= 2 && options->only != 0 && (int)options->only != i + 1)
 				continue;
 			double start = now_ms();
 			if (!draw(bench, i, program, error))

@@ -2,7 +2,7 @@
 uniform sampler2DShadow depth_compare;
 uniform vec2 map_size;      // texels, and the size of one
 uniform vec2 bias_limit;    // at window depth d: x + y d
-uniform vec2 screen_w;      // w of light space: x z + y
+uniform vec3 screen_w;      // w of light space: x z + y, at least z
 uniform float screen_scale; // window x, y = scale x, y / w + 1/2
 uniform vec3 screen_depth;  // window depth = x + y / w + z z
 
@@ -13,10 +13,11 @@ const float DEPTH_STEP = 8.0 / 16777216.0;
 const float REACH = 1.05;
 
 // Window coordinates on the light's screen. Beside it they lead to the map's border texels, which
-// hold no caster; behind a spot the depth falls below all there is: either way to light.
+// hold no caster; long before the near plane, and behind a spot, w stays at its least, where depth
+// is below all there is and everything finite: either way to light.
 vec3 on_screen(vec3 p)
 {
-	float inverse = 1.0 / max(screen_w.x * p.z + screen_w.y, 1e-30);
+	float inverse = 1.0 / max(screen_w.x * p.z + screen_w.y, screen_w.z);
 	float depth = screen_depth.x + screen_depth.y * inverse + screen_depth.z * p.z;
 	return vec3(p.xy * (screen_scale * inverse) + 0.5, depth);
 }

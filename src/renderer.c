@@ -26,7 +26,7 @@ void sm_renderer_destroy(struct sm_renderer *renderer)
 	shadow_set_finish(&renderer->shadows, &renderer->gpu);
 	accumulator_finish(&renderer->accumulator, &renderer->gpu.gl);
 	gpu_finish(&renderer->gpu);
-	free(renderer->soft);
+	free(renderer->needs);
 	free(renderer);
 }
 

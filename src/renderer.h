@@ -15,8 +15,9 @@ struct sm_renderer {
 	struct gpu gpu;
 	struct shadow_set shadows;
 	struct accumulator accumulator;
-	bool *soft; /* working memory: a mesh's clusters that are soft; owned */
-	size_t soft_capacity;
+	uint8_t *needs; /* working memory: enum need of a mesh's clusters; owned */
+	size_t need_capacity;
+	bool whole; /* draw every surface with all that the technique does, for comparison */
 };
 
 /** What one frame does, in order. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "surface_pass.h"
 #include "base/array.h"
-#include "soft_tiles.h"
+#include "tiles.h"
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
@@ -112,78 +112,74 @@ static bool use_program(struct surface_pass *pass, uint32_t flags, struct sm_err
 	return true;
 }
 
-/* The rectangle of a screen (NDC) that a box takes; false if it reaches behind the eye. */
-static bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float max[2])
+/* Fewer clusters than these in a row are not worth a draw call of their own. */
+#define RUN_MIN 4
+
+/* End of the run of clusters of one need that starts at `first`. */
+static size_t run_end(const uint8_t *needs, size_t count, size_t first)
 {
-	min[0] = min[1] = INFINITY;
-	max[0] = max[1] = -INFINITY;
-	for (int corner = 0; corner < 8; corner++) {
-		vec4 p = {1.0f, 1.0f, 1.0f, 1.0f};
-		for (int axis = 0; axis < 3; axis++)
-			p[axis] = corner >> axis & 1 ? box->max[axis] : box->min[axis];
-		glm_mat4_mulv(to_clip, p, p);
-		/* The projection has no finite bounds at w = 0; false for NaN too. */
-		if (!(p[3] > 0.0f))
-			return false;
-		for (int axis = 0; axis < 2; axis++) {
-			min[axis] = fminf(min[axis], p[axis] / p[3]);
-			max[axis] = fmaxf(max[axis], p[axis] / p[3]);
-		}
-	}
-	return true;
+	size_t end = first + 1;
+	while (end < count && needs[end] == needs[first])
+		end++;
+	return end;
 }
 
-/* Fewer clusters than these in a row are not worth a draw call of their own. */
-#define PLAIN_RUN_MIN 4
+/* Gives short runs what the more needy of their neighbours gets. */
+static void join_short_runs(uint8_t *needs, size_t count)
+{
+	for (size_t first = 0, end; first < count; first = end) {
+		end = run_end(needs, count, first);
+		uint8_t before = first > 0 ? needs[first - 1] : NEED_AMBIENT;
+		uint8_t after = end < count ? needs[end] : NEED_AMBIENT;
+		uint8_t neighbour = before > after ? before : after;
+		if (end - first < RUN_MIN && neighbour > needs[first])
+			memset(&needs[first], neighbour, end - first);
+	}
+}
 
-/* Finds which clusters the technique may soften, into renderer->soft. */
-static bool find_soft_clusters(const struct surface_pass *pass, const struct screen_grid *cells,
-	const struct object *object, const struct gpu_mesh *mesh, struct sm_error *error)
+/* Finds what each cluster needs, into renderer->needs. */
+static bool find_needs(const struct surface_pass *pass, const struct object *object,
+	const struct gpu_mesh *mesh, struct sm_error *error)
 {
 	struct sm_renderer *renderer = pass->renderer;
-	if (!array_reserve((void **)&renderer->soft, &renderer->soft_capacity, mesh->cluster_count,
-		    sizeof(*renderer->soft)))
+	if (!array_reserve((void **)&renderer->needs, &renderer->need_capacity, mesh->cluster_count,
+		    sizeof(*renderer->needs)))
 		return error_no_memory(error);
 	mat4 to_clip;
 	glm_mat4_mul((vec4 *)pass->frame->world_to_clip, (vec4 *)object->transform, to_clip);
-	size_t plain = 0;
-	for (size_t i = 0; i < mesh->cluster_count; i++) {
-		float min[2], max[2];
-		bool soft = !box_on_screen(to_clip, &mesh->clusters[i], min, max) ||
-			    screen_grid_touches(cells, min, max);
-		renderer->soft[i] = soft;
-		if (soft && plain > 0 && plain < PLAIN_RUN_MIN && plain < i)
-			memset(&renderer->soft[i - plain], true, plain);
-		plain = soft ? 0 : plain + 1;
-	}
+	for (size_t i = 0; i < mesh->cluster_count; i++)
+		renderer->needs[i] =
+			(uint8_t)need_of_box(&pass->need_map, to_clip, &mesh->clusters[i]);
+	join_short_runs(renderer->needs, mesh->cluster_count);
 	return true;
 }
 
-/* Draws the clusters that are soft, or those that are not. */
-static void draw_clusters(const struct surface_pass *pass, const struct gpu_mesh *mesh, bool soft)
+/* Draws the clusters that have this need. */
+static void draw_clusters(
+	const struct surface_pass *pass, const struct gpu_mesh *mesh, enum need need)
 {
-	const bool *is_soft = pass->renderer->soft;
-	for (size_t first = 0, next; first < mesh->cluster_count; first = next) {
-		next = first + 1;
-		while (next < mesh->cluster_count && is_soft[next] == is_soft[first])
-			next++;
-		if (is_soft[first] == soft)
-			gpu_draw_surface(&pass->renderer->gpu, mesh, first, next - first);
+	const uint8_t *needs = pass->renderer->needs;
+	for (size_t first = 0, end; first < mesh->cluster_count; first = end) {
+		end = run_end(needs, mesh->cluster_count, first);
+		if (needs[first] == need)
+			gpu_draw_surface(&pass->renderer->gpu, mesh, first, end - first);
 	}
 }
 
-/* Left or lower pixel of a tile. */
+/* Left or lower pixel of a tile: the first whose centre is in it. */
 static GLint tile_start(uint32_t pixels, int tile)
 {
-	return (GLint)((uint64_t)pixels * (uint64_t)tile / SCREEN_GRID_SIZE);
+	uint64_t twice = 2 * (uint64_t)pixels * (uint64_t)tile;
+	return (GLint)((twice + SCREEN_GRID_SIZE - 1) / (2 * SCREEN_GRID_SIZE));
 }
 
-/* Draws a mesh of few triangles over the tiles that are soft, or those that are not, a rectangle
- * at a time: rows that are alike go together. */
-static void draw_tiles(const struct surface_pass *pass, const struct gpu_mesh *mesh, bool soft)
+/* Draws a mesh of few triangles over the tiles that have this need, a rectangle at a time: rows
+ * that are alike go together. */
+static void draw_tiles(const struct surface_pass *pass, const struct gpu_mesh *mesh,
+	const struct tiles *all, enum need need)
 {
 	struct gl *gl = &pass->renderer->gpu.gl;
-	const struct screen_grid *tiles = &pass->soft_tiles;
+	const struct screen_grid *tiles = &all->of[need];
 	gl->Enable(GL_SCISSOR_TEST);
 	for (int row = 0, next; row < SCREEN_GRID_SIZE; row = next) {
 		next = row + 1;
@@ -192,7 +188,7 @@ static void draw_tiles(const struct surface_pass *pass, const struct gpu_mesh *m
 		GLint bottom = tile_start(pass->height, row), top = tile_start(pass->height, next);
 		for (int x = 0, end; x < SCREEN_GRID_SIZE; x = end) {
 			end = screen_grid_run_end(tiles, x, row);
-			if (screen_grid_has(tiles, x, row) != soft)
+			if (!screen_grid_has(tiles, x, row))
 				continue;
 			GLint left = tile_start(pass->width, x);
 			gl->Scissor(
@@ -201,14 +197,6 @@ static void draw_tiles(const struct surface_pass *pass, const struct gpu_mesh *m
 		}
 	}
 	gl->Disable(GL_SCISSOR_TEST);
-}
-
-static bool any_of(const bool *values, size_t count, bool value)
-{
-	for (size_t i = 0; i < count; i++)
-		if (values[i] == value)
-			return true;
-	return false;
 }
 
 /* Whether one cluster may take so much of the picture, in NDC units, that cutting it by tiles pays
@@ -230,28 +218,62 @@ static bool is_large(
 	return (max[0] - min[0]) * (max[1] - min[1]) >= LARGE_AREA;
 }
 
-/* Draws an object that the technique may soften in part: that part with its own program, the rest
- * as an ordinary shadow map has it, which is the same there and costs less. */
-static bool draw_in_parts(struct surface_pass *pass, const struct screen_grid *cells,
-	const struct object *object, uint32_t flags, struct sm_error *error)
+/* The flags that a need takes: those of all, less what can be left out. */
+static uint32_t flags_of(const struct surface_pass *pass, uint32_t all, enum need need)
+{
+	const struct technique *technique = pass->renderer->shadows.technique;
+	uint32_t lit = all & ~(FLAG_SHADOWED | technique->surface_flags(pass->shadow));
+	switch (need) {
+	case NEED_AMBIENT:
+		/* Visibility tells the sides of a surface apart wherever it is. */
+		return all & FLAG_VISIBILITY ? lit : lit & ~(uint32_t)FLAG_LIT;
+	case NEED_LIGHT:
+		return lit;
+	case NEED_MAP:
+		return lit | FLAG_SHADOWED | FLAG_HARD;
+	default:
+		return all;
+	}
+}
+
+/* What is of few triangles and large in the picture is cut by its tiles. */
+static bool cut_to_tiles(
+	const struct surface_pass *pass, const struct object *object, struct tiles *tiles)
+{
+	const struct mesh *mesh = &pass->scene->meshes[object->mesh];
+	const struct gpu_mesh *gpu_mesh = &pass->renderer->gpu.scene.meshes[object->mesh];
+	if (mesh->index_count > 3 * TILE_TRIANGLES_MAX || !is_large(pass, object, gpu_mesh))
+		return false;
+	mat4 to_clip, to_light_clip;
+	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
+	glm_mat4_mul((vec4 *)pass->frame->world_to_clip, (vec4 *)object->transform, to_light_clip);
+	tiles_find(tiles, &pass->need_map, mesh, to_clip, to_light_clip);
+	return true;
+}
+
+/* Draws an object that a shadow may fall on, each part with no more than it needs: that is the same
+ * there and costs less. */
+static bool draw_in_parts(struct surface_pass *pass, const struct object *object, uint32_t flags,
+	struct sm_error *error)
 {
 	struct sm_renderer *renderer = pass->renderer;
 	const struct gpu_mesh *mesh = &renderer->gpu.scene.meshes[object->mesh];
-	if (!find_soft_clusters(pass, cells, object, mesh, error))
+	struct tiles tiles;
+	bool tiled = cut_to_tiles(pass, object, &tiles);
+	if (!tiled && !find_needs(pass, object, mesh, error))
 		return false;
-	bool tiled = mesh->cluster_count == 1 && renderer->soft[0] && is_large(pass, object, mesh);
-	uint32_t plain =
-		(flags & ~renderer->shadows.technique->surface_flags(pass->shadow)) | FLAG_HARD;
-	for (int soft = 0; soft < 2; soft++) {
-		if (!tiled && !any_of(renderer->soft, mesh->cluster_count, soft))
+	/* What a further light does not reach it adds nothing to. */
+	enum need least = pass->first ? NEED_AMBIENT : NEED_LIGHT;
+	for (enum need need = least; need < NEED_COUNT; need++) {
+		if (!tiled && memchr(renderer->needs, need, mesh->cluster_count) == NULL)
 			continue;
-		if (!use_program(pass, soft ? flags : plain, error))
+		if (!use_program(pass, flags_of(pass, flags, need), error))
 			return false;
 		set_object(pass, object, pass->program);
 		if (tiled)
-			draw_tiles(pass, mesh, soft);
+			draw_tiles(pass, mesh, &tiles, need);
 		else
-			draw_clusters(pass, mesh, soft);
+			draw_clusters(pass, mesh, need);
 	}
 	return true;
 }
@@ -262,8 +284,8 @@ static bool draw_object(
 	struct gpu *gpu = &pass->renderer->gpu;
 	const struct gpu_mesh *mesh = &gpu->scene.meshes[object->mesh];
 	uint32_t flags = object_flags(pass, object);
-	if (flags & FLAG_SHADOWED && pass->soft_cells != NULL)
-		return draw_in_parts(pass, pass->soft_cells, object, flags, error);
+	if (flags & FLAG_SHADOWED && !pass->renderer->whole)
+		return draw_in_parts(pass, object, flags, error);
 	if (!use_program(pass, flags, error))
 		return false;
 	set_object(pass, object, pass->program);
@@ -313,15 +335,14 @@ static struct draw_item *sorted_items(const struct surface_pass *pass)
 	return items;
 }
 
-static void find_soft_parts(struct surface_pass *pass)
+static void map_needs(struct surface_pass *pass)
 {
-	const struct technique *technique = pass->renderer->shadows.technique;
-	pass->soft_cells = NULL;
-	if (pass->light == NULL || technique->soft_grid == NULL)
-		return;
-	pass->soft_cells = technique->soft_grid(pass->shadow);
-	soft_tiles_find(
-		&pass->soft_tiles, pass->soft_cells, pass->frame, pass->scene, pass->world_to_clip);
+	const struct sm_renderer *renderer = pass->renderer;
+	const struct technique *technique = renderer->shadows.technique;
+	if (pass->light != NULL)
+		need_map_find(&pass->need_map, &renderer->gpu.scene, pass->scene, pass->frame,
+			technique->soft_grid != NULL ? technique->soft_grid(pass->shadow) : NULL,
+			renderer->shadows.options.map_size);
 }
 
 bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)
@@ -331,7 +352,7 @@ bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)
 	if (items == NULL)
 		return error_no_memory(error);
 	bool drawn = true;
-	find_soft_parts(pass);
+	map_needs(pass);
 	pass->program = NULL;
 	gl_push_group(gl, __func__);
 	for (size_t i = 0; i < pass->scene->object_count && drawn; i++)

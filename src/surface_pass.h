@@ -2,6 +2,7 @@
 #ifndef SURFACE_PASS_H
 #define SURFACE_PASS_H
 
+#include "need.h"
 #include "renderer.h"
 
 /** One pass over the surfaces: the ambient light and the first light, or a further light. */
@@ -16,10 +17,7 @@ struct surface_pass {
 	bool first;
 	uint32_t flags;                /* for all surfaces: VISIBILITY, ENCODE_SRGB */
 	const struct program *program; /* in use; of the pass itself */
-	/* Where the technique may soften: on the light's screen (not owned; NULL: everywhere), and
-	 * in the picture; of the pass itself. */
-	const struct screen_grid *soft_cells;
-	struct screen_grid soft_tiles;
+	struct need_map need_map;      /* of the light; likewise */
 };
 
 /** Draws every object into the framebuffer that is bound. */

@@ -5,6 +5,9 @@
  * light comes in at 1.1 degrees and adds 2 % of its strength. */
 #define SLOPE_MAX 50.0f
 
+/* No caster is before the near plane: there, from this share of its distance on, all is alike. */
+#define LEAST_W 1e-3f
+
 bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
@@ -111,11 +114,11 @@ static void set_screen(
 	gl->Uniform1f(program->uniform.screen_scale, 0.5f / frame->half_extent);
 	if (frame->parallel) {
 		float per_unit = 1.0f / (frame->far - frame->near); /* far > near */
-		gl->Uniform2f(program->uniform.screen_w, 0.0f, 1.0f);
+		gl->Uniform3f(program->uniform.screen_w, 0.0f, 1.0f, 1.0f);
 		gl->Uniform3f(
 			program->uniform.screen_depth, -frame->near * per_unit, 0.0f, per_unit);
 	} else {
-		gl->Uniform2f(program->uniform.screen_w, 1.0f, 0.0f);
+		gl->Uniform3f(program->uniform.screen_w, 1.0f, 0.0f, frame->near * LEAST_W);
 		gl->Uniform3f(program->uniform.screen_depth, frame->pole,
 			-frame->pole * frame->near, 0.0f);
 	}

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+#include "need.h"
+
+bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float max[2])
+{
+	min[0] = min[1] = INFINITY;
+	max[0] = max[1] = -INFINITY;
+	for (int corner = 0; corner < 8; corner++) {
+		vec4 p = {1.0f, 1.0f, 1.0f, 1.0f};
+		for (int axis = 0; axis < 3; axis++)
+			p[axis] = corner >> axis & 1 ? box->max[axis] : box->min[axis];
+		glm_mat4_mulv(to_clip, p, p);
+		/* The projection has no finite bounds at w = 0; false for NaN too. */
+		if (!(p[3] > 0.0f))
+			return false;
+		for (int axis = 0; axis < 2; axis++) {
+			min[axis] = fminf(min[axis], p[axis] / p[3]);
+			max[axis] = fmaxf(max[axis], p[axis] / p[3]);
+		}
+	}
+	return true;
+}
+
+static void mark_box(
+	struct screen_grid *cells, mat4 to_clip, const struct cluster *box, float slack)
+{
+	static const uint8_t sides[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+	float min[2], max[2];
+	if (!box_on_screen(to_clip, box, min, max)) {
+		screen_grid_fill(cells);
+		return;
+	}
+	const struct screen_point corners[4] = {
+		{min[0], min[1]}, {max[0], min[1]}, {max[0], max[1]}, {min[0], max[1]}};
+	screen_grid_add(cells, corners, sides, 4, slack);
+}
+
+static void mark_casters(struct screen_grid *cells, const struct gpu_scene *gpu,
+	const struct sm_scene *scene, const struct light_frame *frame, uint32_t map_size)
+{
+	/* A surface looks up texels whose centres lie up to one texel off; half a texel more for
+	 * what the rasteriser snaps. */
+	float slack = 1.5f * SCREEN_GRID_SIZE / (float)map_size;
+	for (size_t i = 0; i < scene->object_count; i++) {
+		const struct object *object = &scene->objects[i];
+		const struct gpu_mesh *mesh = &gpu->meshes[object->mesh];
+		mat4 to_clip;
+		if (!object->casts)
+			continue;
+		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
+		for (size_t j = 0; j < mesh->cluster_count; j++)
+			mark_box(cells, to_clip, &mesh->clusters[j], slack);
+	}
+}
+
+void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct screen_grid *soft, uint32_t map_size)
+{
+	*map = (struct need_map){.cone = !frame->parallel};
+	mark_casters(&map->cells[NEED_MAP], gpu, scene, frame, map_size);
+	map->cells[NEED_TECHNIQUE] = soft != NULL ? *soft : map->cells[NEED_MAP];
+}
+
+enum need need_of_rectangle(const struct need_map *map, const float min[2], const float max[2])
+{
+	bool beside = max[0] < -1.0f || min[0] > 1.0f || max[1] < -1.0f || min[1] > 1.0f;
+	if (map->cone && beside)
+		return NEED_AMBIENT;
+	enum need need = NEED_TECHNIQUE;
+	while (need > NEED_LIGHT && !screen_grid_touches(&map->cells[need], min, max))
+		need--;
+	return need;
+}
+
+enum need need_of_box(const struct need_map *map, mat4 to_light_clip, const struct cluster *box)
+{
+	float min[2], max[2];
+	if (!box_on_screen(to_light_clip, box, min, max))
+		return NEED_TECHNIQUE;
+	return need_of_rectangle(map, min, max);
+}

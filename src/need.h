@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef NEED_H
+#define NEED_H
+
+#include "geom/screen_grid.h"
+#include "gles/gpu_scene.h"
+#include "scene/light.h"
+
+/** What it takes to shade a part of a surface as the technique would, least first. */
+enum need {
+	NEED_AMBIENT,   /* beside the light's cone */
+	NEED_LIGHT,     /* no caster can be in front of it: no look-up at all */
+	NEED_MAP,       /* an ordinary shadow map */
+	NEED_TECHNIQUE, /* all that the technique does */
+	NEED_COUNT,
+};
+
+/** The needs for one light, over its screen. Conservative: what needs more than its part says is
+ *  not there. */
+struct need_map {
+	/* Marked where there is this need or a greater one; kept for NEED_MAP and above. */
+	struct screen_grid cells[NEED_COUNT];
+	bool cone; /* beside the screen there is no light */
+};
+
+/**
+ * gpu: has the scene's meshes. soft: cells that need the technique; NULL: those of the casters do.
+ * map_size: texels a side of the shadow map.
+ */
+void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct screen_grid *soft, uint32_t map_size);
+
+/** Of surfaces in a rectangle of the light's screen, NDC. */
+enum need need_of_rectangle(const struct need_map *map, const float min[2], const float max[2]);
+
+/** Of surfaces inside a box; to_light_clip: from the box's space to the light's clip space. */
+enum need need_of_box(const struct need_map *map, mat4 to_light_clip, const struct cluster *box);
+
+/** The rectangle of a screen (NDC) that a box takes; false if it reaches behind the eye. */
+bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float max[2]);
+
+#endif

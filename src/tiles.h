@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TILES_H
+#define TILES_H
+
+#include "geom/mesh.h"
+#include "need.h"
+
+/** Rows of tiles that are alike. */
+#define TILE_BAND 4
+
+/** Meshes of more triangles are not worth cutting. */
+#define TILE_TRIANGLES_MAX 16
+
+/** The tiles of the picture by what a mesh needs there: disjoint, together all of the picture. */
+struct tiles {
+	struct screen_grid of[NEED_COUNT];
+};
+
+/**
+ * Finds what a mesh of at most TILE_TRIANGLES_MAX triangles needs where it is seen: its part in
+ * each tile, as the light sees that. Rounded up to few rectangles, since each is a draw call:
+ * TILE_BAND rows at a time are alike, and short gaps are closed.
+ * to_clip, to_light_clip: from the mesh to the clip spaces of camera and light.
+ */
+void tiles_find(struct tiles *tiles, const struct need_map *map, const struct mesh *mesh,
+	mat4 to_clip, mat4 to_light_clip);
+
+#endif
