@@ -27,24 +27,28 @@ vec3 path_to_light()
 {
 	return light_is_point ? -surface_position : vec3(0.0, 0.0, -1.0);
 }
-
-// Cosine between the normal, on the side that is seen, and the way to the light, times |path|.
-float facing(vec3 path)
-{
-	float toward = dot(surface_normal, path);
-	return gl_FrontFacing ? toward : -toward;
-}
 #endif
 
 #ifdef VISIBILITY
+#ifdef LIT
+// The triangle's own normal, since visibility is that of the geometry, not of how it is shaded; on
+// the side that is seen, as the interpolated one tells.
+bool faces_light()
+{
+	vec3 n = cross(dFdx(surface_position), dFdy(surface_position));
+	bool outward = (dot(n, surface_normal) > 0.0) == gl_FrontFacing;
+	return outward ? dot(n, path_to_light()) > 0.0 : dot(n, path_to_light()) < 0.0;
+}
+#endif
+
 void main()
 {
 	float v = 1.0;
-#ifdef LIT
-	v = facing(path_to_light()) > 0.0 ? 1.0 : 0.0;
-#endif
 #ifdef SHADOWED
-	v *= shadow_visibility(surface_position);
+	v = clamp(shadow_visibility(surface_position), 0.0, 1.0);
+#endif
+#ifdef LIT
+	v = faces_light() ? v : 0.0;
 #endif
 	float steps = floor(v * 65535.0 + 0.5);
 	float high = floor(steps / 256.0);
@@ -52,6 +56,13 @@ void main()
 }
 #else
 #ifdef LIT
+// Cosine between the normal, on the side that is seen, and the way to the light, times |path|.
+float facing(vec3 path)
+{
+	float toward = dot(surface_normal, path);
+	return gl_FrontFacing ? toward : -toward;
+}
+
 float strength()
 {
 	vec3 path = path_to_light();
