@@ -247,7 +247,7 @@ static bool cut_to_tiles(
 	mat4 to_clip, to_light_clip;
 	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
 	glm_mat4_mul((vec4 *)pass->frame->world_to_clip, (vec4 *)object->transform, to_light_clip);
-	tiles_find(tiles, &pass->need_map, mesh, to_clip, to_light_clip);
+	tiles_find(tiles, &pass->need_map, mesh, pass->width, pass->height, to_clip, to_light_clip);
 	return true;
 }
 

@@ -86,21 +86,22 @@ static uint64_t close_gaps(uint64_t row)
 	return row;
 }
 
-/* NDC of the left or lower side of a tile; a hundredth of a tile outwards, for rounding. */
-static float side_of(int tile, float outwards)
+/* NDC of the left or lower side of a tile. */
+static float side_of(int tile)
 {
-	return ((float)tile + 0.01f * outwards) * (2.0f / SCREEN_GRID_SIZE) - 1.0f;
+	return (float)tile * (2.0f / SCREEN_GRID_SIZE) - 1.0f;
 }
 
-/* Marks, for each need, the tiles of a band of rows where a triangle has it. */
+/* Marks, for each need, the tiles of a band of rows where a triangle has it. margin: NDC by which a
+ * tile's pixels may reach beyond it. */
 static void mark_band(const struct need_map *map, const struct polygon *triangle, int first_row,
-	uint64_t marked[NEED_COUNT])
+	const float margin[2], uint64_t marked[NEED_COUNT])
 {
 	struct polygon band, tile;
-	cut_between(triangle, 1, side_of(first_row, -1.0f), side_of(first_row + TILE_BAND, 1.0f),
-		&band);
+	cut_between(triangle, 1, side_of(first_row) - margin[1],
+		side_of(first_row + TILE_BAND) + margin[1], &band);
 	for (int x = 0; x < SCREEN_GRID_SIZE && band.count > 0; x++) {
-		cut_between(&band, 0, side_of(x, -1.0f), side_of(x + 1, 1.0f), &tile);
+		cut_between(&band, 0, side_of(x) - margin[0], side_of(x + 1) + margin[0], &tile);
 		if (tile.count > 0)
 			marked[need_of_polygon(map, &tile)] |= (uint64_t)1 << x;
 	}
@@ -135,8 +136,10 @@ static bool see_triangle(struct polygon *seen, const struct mesh *mesh, size_t t
 }
 
 void tiles_find(struct tiles *tiles, const struct need_map *map, const struct mesh *mesh,
-	mat4 to_clip, mat4 to_light_clip)
+	uint32_t width, uint32_t height, mat4 to_clip, mat4 to_light_clip)
 {
+	/* One pixel: half for the one that a tile's side cuts, half for where it is shaded. */
+	const float margin[2] = {2.0f / (float)width, 2.0f / (float)height};
 	struct polygon seen[TILE_TRIANGLES_MAX];
 	size_t count = 0;
 	for (size_t i = 0; i < mesh->index_count / 3; i++)
@@ -144,7 +147,7 @@ void tiles_find(struct tiles *tiles, const struct need_map *map, const struct me
 	for (int row = 0; row < SCREEN_GRID_SIZE; row += TILE_BAND) {
 		uint64_t marked[NEED_COUNT] = {0};
 		for (size_t i = 0; i < count; i++)
-			mark_band(map, &seen[i], row, marked);
+			mark_band(map, &seen[i], row, margin, marked);
 		set_band(tiles, row, marked);
 	}
 }

@@ -20,9 +20,10 @@ struct tiles {
  * Finds what a mesh of at most TILE_TRIANGLES_MAX triangles needs where it is seen: its part in
  * each tile, as the light sees that. Rounded up to few rectangles, since each is a draw call:
  * TILE_BAND rows at a time are alike, and short gaps are closed.
- * to_clip, to_light_clip: from the mesh to the clip spaces of camera and light.
+ * width, height: of the picture, pixels. to_clip, to_light_clip: from the mesh to the clip spaces
+ * of camera and light.
  */
 void tiles_find(struct tiles *tiles, const struct need_map *map, const struct mesh *mesh,
-	mat4 to_clip, mat4 to_light_clip);
+	uint32_t width, uint32_t height, mat4 to_clip, mat4 to_light_clip);
 
 #endif
