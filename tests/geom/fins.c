@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "geom/fins.h"
+#include "fin_probe.h"
 #include "geom/mesh.h"
 #include "models.h"
 #include <math.h>
@@ -9,75 +9,6 @@
 #include <string.h>
 
 #include <cmocka.h>
-
-#define CLOSE 1e-6f /* NDC; results are a few float operations away from coordinates near 1 */
-
-static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-
-/* A perspective along -z: w = -z, the near plane at z = -1, the far plane at z = -3. */
-static const float perspective[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -2, -1, 0, 0, -3, 0};
-
-static struct fin_params params_of(const float object_to_clip[16])
-{
-	struct fin_params params = {.width = FIN_WIDTH_CONSTANT, .scale = 0.1f};
-	memcpy(params.object_to_clip, object_to_clip, sizeof(params.object_to_clip));
-	return params;
-}
-
-/* Vertices are all that a caster needs here. */
-static struct caster caster_of(const float (*positions)[3], size_t vertex_count)
-{
-	return (struct caster){.vertex_count = vertex_count, .positions = (float(*)[3])positions};
-}
-
-struct fins {
-	struct fin_vertex *vertices;
-	size_t count;
-};
-
-/* Into exactly as much memory as is needed, so that a sanitizer sees any write beyond. */
-static struct fins build(const struct caster *caster, const struct silhouette_edge *edges,
-	size_t edge_count, const struct fin_params *params)
-{
-	struct fin_scratch scratch;
-	fin_scratch_init(&scratch);
-	assert_true(fin_scratch_reserve(&scratch, caster, edge_count));
-	struct fins fins = {
-		.count = fins_build(caster, edges, edge_count, params, &scratch, NULL, 0)};
-	assert_int_equal(fins.count % 4, 0);
-	assert_true(fins.count <= fins_max_vertices(edge_count));
-	fins.vertices = malloc(fins.count * sizeof(*fins.vertices) + (fins.count == 0));
-	assert_non_null(fins.vertices);
-	assert_int_equal(
-		fins_build(caster, edges, edge_count, params, &scratch, fins.vertices, fins.count),
-		fins.count);
-	for (size_t v = 0; v < scratch.vertex_capacity; v++)
-		assert_int_equal(scratch.first[v], UINT32_MAX);
-	fin_scratch_finish(&scratch);
-	return fins;
-}
-
-static struct fins build_positions(const float (*positions)[3], size_t vertex_count,
-	const struct silhouette_edge *edges, size_t edge_count, const struct fin_params *params)
-{
-	struct caster caster = caster_of(positions, vertex_count);
-	return build(&caster, edges, edge_count, params);
-}
-
-static void assert_vertex(
-	const struct fin_vertex *v, const float position[3], const float offset[2], float width)
-{
-	float off = 0.0f;
-	for (int i = 0; i < 3; i++)
-		off = fmaxf(off, fabsf(v->position[i] - position[i]));
-	for (int i = 0; i < 2; i++)
-		off = fmaxf(off, fabsf(v->offset[i] - offset[i]));
-	off = fmaxf(off, fabsf(v->width - width));
-	if (!(off <= CLOSE))
-		fail_msg("(%g %g %g), (%g %g), %g is not (%g %g %g), (%g %g), %g", v->position[0],
-			v->position[1], v->position[2], v->offset[0], v->offset[1], v->width,
-			position[0], position[1], position[2], offset[0], offset[1], width);
-}
 
 static void an_edge_becomes_a_quad_on_its_right(void **state)
 {
@@ -143,64 +74,6 @@ static void no_width_no_fin(void **state)
 		assert_int_equal(fins.count, 0);
 		free(fins.vertices);
 	}
-}
-
-/* Twice the area of triangle a, b, p; positive when p is on the left of a -> b. */
-static float side(const float a[2], const float b[2], const float p[2])
-{
-	return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-}
-
-static bool covers(const struct fin_vertex quad[4], const float p[2])
-{
-	bool left = true, right = true;
-	for (int i = 0; i < 4; i++) {
-		float s = side(quad[i].position, quad[(i + 1) % 4].position, p);
-		left = left && s >= -CLOSE;
-		right = right && s <= CLOSE;
-	}
-	return left || right;
-}
-
-/* Of the point, over all quads, as blending with MIN leaves it; 1 where there are none. */
-static float alpha_at(const struct fins *fins, const float p[2])
-{
-	float alpha = 1.0f;
-	for (size_t i = 0; i < fins->count; i += 4) {
-		const struct fin_vertex *quad = &fins->vertices[i];
-		if (!covers(quad, p))
-			continue;
-		/* Offsets are all "vertex minus silhouette", so that in quads of constant width the
-		 * offset at p follows from any two edges of the quad, as on the GPU. */
-		float u[2], v[2], q[2], d[2];
-		for (int c = 0; c < 2; c++) {
-			u[c] = quad[1].position[c] - quad[0].position[c];
-			v[c] = quad[3].position[c] - quad[0].position[c];
-			q[c] = p[c] - quad[0].position[c];
-		}
-		float det = u[0] * v[1] - u[1] * v[0];
-		float s = (q[0] * v[1] - q[1] * v[0]) / det, t = (u[0] * q[1] - u[1] * q[0]) / det;
-		for (int c = 0; c < 2; c++)
-			d[c] = quad[0].offset[c] + s * (quad[1].offset[c] - quad[0].offset[c]) +
-			       t * (quad[3].offset[c] - quad[0].offset[c]);
-		alpha = fminf(alpha, hypotf(d[0], d[1]) / quad[0].width);
-	}
-	return alpha;
-}
-
-/* Distance of p from the segments of the silhouette, as a share of the width. */
-static float distance_at(const float (*positions)[3], const struct silhouette_edge *edges,
-	size_t edge_count, float width, const float p[2])
-{
-	float least = width;
-	for (size_t e = 0; e < edge_count; e++) {
-		const float *a = positions[edges[e].a], *b = positions[edges[e].b];
-		float dx = b[0] - a[0], dy = b[1] - a[1];
-		float t = ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / (dx * dx + dy * dy);
-		t = fminf(fmaxf(t, 0.0f), 1.0f);
-		least = fminf(least, hypotf(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy));
-	}
-	return least / width;
 }
 
 /* Blockers with corners of all angles: outside, alpha is the distance from the silhouette. */

@@ -1,0 +1,531 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What is left out to make frames cheap is not missed: surfaces drawn by the plain shadow map where
+ * no fin reaches, back faces of solids, and what is hidden behind what was drawn first.
+ */
+#include "canvas.h"
+#include "load/builtin.h"
+#include "load/stage.h"
+#include "models.h"
+#include "parts.h"
+#include "renderer.h"
+#include "visibility.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* Not whole tiles. */
+#define WIDTH 149
+#define HEIGHT 101
+
+/* Of 65535: the sampler that compares and filters may round its weights to 8 bits. */
+#define FILTERING (2 * 257)
+
+/* How a shadow map that is looked up without smoothies compares: GL_LEQUAL, or GL_NEVER and
+ * GL_ALWAYS to see where it is. */
+static GLenum plain_compare = GL_LEQUAL;
+
+static void bind_comparing(const struct technique *technique, const void *state, struct gpu *gpu,
+	const struct light_frame *frame, const struct program *program)
+{
+	GLint sampler;
+	technique->bind(state, gpu, frame, program);
+	glActiveTexture(GL_TEXTURE0 + UNIT_DEPTH_COMPARE);
+	glGetIntegerv(GL_SAMPLER_BINDING, &sampler);
+	glSamplerParameteri((GLuint)sampler, GL_TEXTURE_COMPARE_FUNC,
+		program->key.flags & FLAG_HARD ? (GLint)plain_compare : GL_LEQUAL);
+}
+
+static void bind_hard(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	bind_comparing(&technique_hard, state, gpu, frame, program);
+}
+
+static void bind_smoothie(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	bind_comparing(&technique_smoothie, state, gpu, frame, program);
+}
+
+/* The technique that these options choose, with a comparison that can be changed. */
+static void set_shadows(struct rig *rig, const struct sm_shadow_options *options)
+{
+	static struct technique changed;
+	rig_set_shadows(rig, options);
+	changed = *rig->renderer->shadows.technique;
+	changed.bind = changed.soft_grid != NULL ? bind_smoothie : bind_hard;
+	rig->renderer->shadows.technique = &changed;
+}
+
+static struct visibility draw_comparing(struct rig *rig, const struct sm_scene *scene,
+	const struct sm_camera *camera, bool whole, GLenum compare)
+{
+	struct visibility picture;
+	plain_compare = compare;
+	rig->renderer->whole = whole;
+	visibility_draw(&picture, rig, scene, camera, WIDTH, HEIGHT);
+	rig->renderer->whole = false;
+	plain_compare = GL_LEQUAL;
+	return picture;
+}
+
+/* What the pictures of a test have shown, so that it can be seen to have looked at something. */
+struct census {
+	size_t pixels, penumbra;
+	size_t plain;      /* drawn by the shadow map alone */
+	size_t unshadowed; /* not even by that; counted with "hard" */
+	int apart;         /* most, of 65535, that plain pixels are from whole ones */
+};
+
+/* Pixels that the shadow map alone draws are as the technique draws them but for filtering, and the
+ * others exactly so. */
+static void check_parts(struct census *census, struct rig *rig, const struct sm_scene *scene,
+	const struct sm_camera *camera, const char *what)
+{
+	struct visibility whole = draw_comparing(rig, scene, camera, true, GL_LEQUAL);
+	struct visibility never = draw_comparing(rig, scene, camera, true, GL_NEVER);
+	struct visibility dark = draw_comparing(rig, scene, camera, false, GL_NEVER);
+	struct visibility lit = draw_comparing(rig, scene, camera, false, GL_ALWAYS);
+	struct visibility parts = draw_comparing(rig, scene, camera, false, GL_LEQUAL);
+	bool soft = rig->renderer->shadows.technique->soft_grid != NULL;
+	for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+		bool plain = dark.values[i] != lit.values[i];
+		int apart = abs(parts.values[i] - whole.values[i]);
+		if (apart > (plain && soft ? FILTERING : 0))
+			fail_msg("%s, pixel %zu, %zu (%s): %d, not %d", what, i % WIDTH, i / WIDTH,
+				plain ? "plain" : "not plain", parts.values[i], whole.values[i]);
+		census->pixels++;
+		census->plain += plain;
+		census->unshadowed += never.values[i] < dark.values[i];
+		census->penumbra += whole.values[i] > 0 && whole.values[i] < 65535;
+		census->apart = apart > census->apart ? apart : census->apart;
+	}
+	visibility_finish(&whole);
+	visibility_finish(&never);
+	visibility_finish(&dark);
+	visibility_finish(&lit);
+	visibility_finish(&parts);
+}
+
+static void check_census(const struct census *census, const char *technique)
+{
+	print_message("%s: %zu pixels, %zu plain, %zu unshadowed, %zu in penumbras; at most %d / "
+		      "65535 apart\n",
+		technique, census->pixels, census->plain, census->unshadowed, census->penumbra,
+		census->apart);
+	assert_true(census->plain > census->pixels / 25);
+	assert_true(census->penumbra > census->pixels / 200);
+}
+
+static const char *const techniques[] = {"smoothie", "hard"};
+#define TECHNIQUES (sizeof(techniques) / sizeof(techniques[0]))
+
+/* Closed, in 16 clusters. */
+static uint32_t add_ball(struct sm_scene *scene)
+{
+	struct model model = model_sphere(4);
+	struct sm_mesh_desc desc = model_desc(&model, "ball");
+	uint32_t mesh;
+	desc.normals = desc.positions;
+	assert_true(sm_scene_add_mesh(scene, &desc, &mesh, NULL));
+	model_finish(&model);
+	return mesh;
+}
+
+/* A spread of meshes between one cluster and many, one cut in half, one mirrored. */
+static void add_things(struct sm_scene *scene, unsigned int ground_roles, bool reversed)
+{
+	static const float wall[][3] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+	static const uint32_t wall_indices[] = {0, 1, 2, 0, 2, 3};
+	uint32_t square = parts_add_square(scene), cube = parts_add_cube(scene);
+	uint32_t ball = add_ball(scene);
+	uint32_t upright = parts_add_mesh(scene, wall, 4, wall_indices, 6);
+	const struct {
+		uint32_t mesh;
+		unsigned int roles;
+		struct pose pose;
+	} things[] = {
+		{square, ground_roles, {{20, 1, 20}, 0, {0, 0, 0}}},
+		{upright, ground_roles, {{8, 4, 1}, 0, {0, 4, -5}}},
+		{cube, PART_BOTH, {{0.8f, 0.8f, 0.8f}, 30, {-1.5f, 0.9f, 0.5f}}},
+		{ball, PART_BOTH, {{1, 1, 1}, 0, {1.2f, 1.5f, 0}}},
+		{ball, PART_BOTH, {{-0.5f, 0.7f, 0.5f}, 70, {0, 0.9f, 2}}},
+		{cube, PART_CASTS, {{-0.1f, 2, 0.1f}, 10, {3, 2.1f, 1}}},
+		{square, PART_RECEIVES, {{1, 1, 1}, 15, {-3, 0.3f, 2}}},
+	};
+	const size_t count = sizeof(things) / sizeof(things[0]);
+	for (size_t i = 0; i < count; i++) {
+		size_t thing = reversed ? count - 1 - i : i;
+		parts_add_object(
+			scene, things[thing].mesh, things[thing].roles, &things[thing].pose);
+	}
+}
+
+static const struct sm_light_desc lights[] = {
+	{.name = "spot above", .position = {2, 8, 3}, .radius = 0.3f, .angle = 60},
+	{.name = "wide spot inside",
+		.position = {0, 3, 1},
+		.target = {0.5f, 0, 0},
+		.radius = 0.05f,
+		.angle = 150},
+	{.name = "narrow spot",
+		.position = {-9, 6, 5},
+		.target = {0, 1, 0},
+		.radius = 0.1f,
+		.angle = 12},
+	{.name = "low spot",
+		.position = {12, 0.7f, 2},
+		.target = {0, 0.6f, 0},
+		.radius = 0.2f,
+		.angle = 50},
+	{.name = "spot in a cube",
+		.position = {-1.5f, 0.9f, 0.5f},
+		.target = {2, 0.5f, 0},
+		.radius = 0.02f,
+		.angle = 100},
+	{.name = "large spot", .position = {0, 6, 6}, .radius = 3, .angle = 70},
+	{.name = "sun", .type = SM_LIGHT_DIRECTIONAL, .position = {3, 9, 4}, .radius = 0.1f},
+	{.name = "low sun",
+		.type = SM_LIGHT_DIRECTIONAL,
+		.position = {9, 0.4f, 3},
+		.radius = 0.08f},
+	{.name = "overhead sun",
+		.type = SM_LIGHT_DIRECTIONAL,
+		.position = {0, 5, 0},
+		.radius = 0.5f},
+};
+#define LIGHTS (sizeof(lights) / sizeof(lights[0]))
+
+static const struct {
+	const char *name;
+	struct sm_camera camera;
+} views[] = {
+	{"aside", {{6, 4, 8}, {0, 1, 0}, {0, 1, 0}, 45, 0, 0}},
+	{"above", {{0.1f, 14, 0}, {0, 0, 0}, {0, 0, -1}, 60, 0, 0}},
+	{"below", {{2, -3, 4}, {0, 1, 0}, {0, 1, 0}, 80, 0.1f, 60}},
+	{"near the ground", {{5, 0.05f, 5}, {0, 0.4f, 0}, {0, 1, 0}, 60, 0.02f, 60}},
+	{"within the light", {{1, 4, 2}, {0.5f, 0, 0}, {0, 1, 0}, 100, 0.05f, 60}},
+	{"towards the light", {{-2, 0.5f, -2}, {2, 8, 3}, {0, 1, 0}, 90, 0.05f, 60}},
+	{"behind the light", {{5, 16, 8}, {2, 8, 3}, {0, 1, 0}, 30, 0, 0}},
+	{"away from all", {{0, 3, 12}, {0, 4, 30}, {0, 1, 0}, 60, 0.1f, 60}},
+	{"far away", {{60, 50, 90}, {0, 0, 0}, {0, 1, 0}, 20, 0, 0}},
+	{"tilted", {{-5, 3, 3}, {0, 1, 0}, {1, 1, 0.3f}, 70, 0, 0}},
+	{"in the ball", {{1.2f, 1.5f, 0.1f}, {5, 0, 5}, {0, 1, 0}, 90, 0.05f, 60}},
+};
+#define VIEWS (sizeof(views) / sizeof(views[0]))
+
+static void describe(char text[100], const struct sm_light_desc *light, const char *view)
+{
+	snprintf(text, 100, "%s, seen from %s", light->name, view);
+}
+
+static const struct sm_shadow_options small_map = {.map_size = 256};
+
+static void check_views(struct census *census, struct rig *rig, const struct sm_light_desc *light)
+{
+	struct sm_light_desc desc = *light;
+	desc.intensity = 1.0f;
+	assert_true(sm_scene_set_light(rig->scene, 0, &desc, NULL));
+	for (size_t view = 0; view < VIEWS; view++) {
+		char what[100];
+		describe(what, light, views[view].name);
+		check_parts(census, rig, rig->scene, &views[view].camera, what);
+	}
+}
+
+static void parts_look_like_the_whole(void **state)
+{
+	struct rig *rig = *state;
+	add_things(rig->scene, PART_BOTH, false);
+	parts_add_light(rig->scene, &lights[0]);
+	for (size_t i = 0; i < TECHNIQUES; i++) {
+		struct census census = {0};
+		set_shadows(rig,
+			&(struct sm_shadow_options){.technique = techniques[i], .map_size = 256});
+		for (size_t light = 0; light < LIGHTS; light++)
+			check_views(&census, rig, &lights[light]);
+		check_census(&census, techniques[i]);
+	}
+}
+
+/* Light and camera anywhere around the things. */
+static void check_somewhere(struct census *census, struct rig *rig, uint64_t *random, bool sun)
+{
+	float r[12];
+	for (int i = 0; i < 12; i++)
+		r[i] = random_signed(random);
+	struct sm_light_desc light = {
+		.type = sun ? SM_LIGHT_DIRECTIONAL : SM_LIGHT_SPOT,
+		.position = {9 * r[0], 4 + 5 * r[1], 9 * r[2]},
+		.target = {2 * r[3], 1 + r[4], 2 * r[5]},
+		.radius = 0.3f + 0.3f * r[6],
+		.angle = 70 + 65 * r[7],
+		.intensity = 1.0f,
+	};
+	struct sm_camera camera = {
+		.eye = {10 * r[8], 3 + 5 * r[9], 10 * r[10]},
+		.target = {r[11], 0, r[0]},
+		.up = {0, 1, r[1]},
+		.fov = 60 + 40 * r[2],
+		.near = 0.05f,
+		.far = 80,
+	};
+	char what[200];
+	snprintf(what, sizeof(what), "light %g %g %g, camera %g %g %g", light.position[0],
+		light.position[1], light.position[2], camera.eye[0], camera.eye[1], camera.eye[2]);
+	assert_true(sm_scene_set_light(rig->scene, 0, &light, NULL));
+	check_parts(census, rig, rig->scene, &camera, what);
+}
+
+/* With maps of all sizes, fins of constant width, and a ground that casts no shadow. */
+static void parts_look_like_the_whole_from_anywhere(void **state)
+{
+	struct rig *rig = *state;
+	uint64_t random = 41;
+	add_things(rig->scene, PART_RECEIVES, false);
+	parts_add_light(rig->scene, &lights[0]);
+	for (size_t i = 0; i < TECHNIQUES; i++) {
+		struct census census = {0};
+		for (int round = 0; round < 120; round++) {
+			bool constant = techniques[i] == techniques[0] && round % 5 == 0;
+			set_shadows(rig, &(struct sm_shadow_options){.technique = techniques[i],
+						 .map_size = 16u << round % 6,
+						 .width = constant ? 0.02f : 0.0f});
+			check_somewhere(&census, rig, &random, round % 3 == 0);
+		}
+		check_census(&census, techniques[i]);
+	}
+}
+
+static void load(struct stage *stage, const char *name)
+{
+	char source[64];
+	struct sm_error error;
+	snprintf(source, sizeof(source), "builtin:%s", name);
+	if (!stage_load(stage, source, NULL, 0, &error))
+		fail_msg("%s", error.text);
+}
+
+static void parts_of_built_in_scenes_look_like_the_whole(void **state)
+{
+	struct rig *rig = *state;
+	for (size_t i = 0; i < TECHNIQUES; i++) {
+		struct census census = {0};
+		set_shadows(rig,
+			&(struct sm_shadow_options){.technique = techniques[i], .map_size = 512});
+		for (size_t scene = 0; builtin_name(scene) != NULL; scene++) {
+			struct stage stage;
+			load(&stage, builtin_name(scene));
+			check_parts(&census, rig, stage.scene, &stage.camera, builtin_name(scene));
+			stage_finish(&stage);
+		}
+		check_census(&census, techniques[i]);
+	}
+}
+
+/* sRGB bytes of all lights together; the caller's to free(). */
+static uint8_t *draw_picture(
+	struct rig *rig, const struct sm_scene *scene, const struct sm_camera *camera)
+{
+	struct canvas canvas;
+	canvas_init(&canvas, GL_RGBA8, WIDTH, HEIGHT);
+	struct sm_view view = {.camera = *camera,
+		.framebuffer = canvas.framebuffer,
+		.width = WIDTH,
+		.height = HEIGHT,
+		.visibility_of = SM_NONE};
+	rig_draw(rig, scene, &view);
+	uint8_t *rgba = canvas_read(&canvas);
+	canvas_finish(&canvas);
+	return rgba;
+}
+
+#define PICTURE_BYTES ((size_t)WIDTH * HEIGHT * 4)
+
+static int most_apart(const uint8_t *a, const uint8_t *b)
+{
+	int most = 0;
+	for (size_t i = 0; i < PICTURE_BYTES; i++)
+		most = abs(a[i] - b[i]) > most ? abs(a[i] - b[i]) : most;
+	return most;
+}
+
+static void add_dimmed_lights(struct sm_scene *scene)
+{
+	for (size_t i = 0; i < LIGHTS; i++) {
+		struct sm_light_desc light = lights[i];
+		light.intensity = 0.1f;
+		light.color[0] = light.color[1] = light.color[2] = 1.0f;
+		light.color[i % 3] = 0.5f;
+		parts_add_light(scene, &light);
+	}
+	sm_scene_set_environment(scene,
+		&(struct sm_environment){{0.2f, 0.2f, 0.2f}, {0.1f, 0.1f, 0.1f}, {0, 0, 0.5f}});
+}
+
+/* Added up light by light: each pixel once for each. */
+static void parts_of_many_lights_add_up(void **state)
+{
+	struct rig *rig = *state;
+	rig_set_shadows(rig, &small_map);
+	add_things(rig->scene, PART_BOTH, false);
+	add_dimmed_lights(rig->scene);
+	int most = 0;
+	for (size_t view = 0; view < VIEWS; view++) {
+		uint8_t *parts = draw_picture(rig, rig->scene, &views[view].camera);
+		rig->renderer->whole = true;
+		uint8_t *whole = draw_picture(rig, rig->scene, &views[view].camera);
+		rig->renderer->whole = false;
+		int apart = most_apart(parts, whole);
+		most = apart > most ? apart : most;
+		if (apart > 3)
+			fail_msg("from %s: %d of 255 apart", views[view].name, apart);
+		free(parts);
+		free(whole);
+	}
+	print_message("apart %d\n", most);
+}
+
+/* Pixels of a picture. On the outline of a solid its front and its back meet, so that either may
+ * win the depth test by rounding; where backs are not drawn, only the front can. */
+#define TIES 2
+
+/* Finishes both. ties: pixels that may differ. */
+static void check_same(
+	struct visibility *one, struct visibility *two, size_t ties, const char *what)
+{
+	size_t differing = visibility_compare(one, two).differing;
+	if (differing > ties)
+		fail_msg("%s: %zu pixels differ", what, differing);
+	visibility_finish(one);
+	visibility_finish(two);
+}
+
+static void check_same_visibility(struct rig *rig, const struct sm_scene *other,
+	const struct sm_camera *camera, size_t ties, const char *what)
+{
+	struct visibility one, two;
+	visibility_draw(&one, rig, rig->scene, camera, WIDTH, HEIGHT);
+	visibility_draw(&two, rig, other, camera, WIDTH, HEIGHT);
+	check_same(&one, &two, ties, what);
+}
+
+/* By each light alone, and by all together. */
+static void check_same_pictures(struct rig *rig, struct sm_scene *other, size_t ties)
+{
+	rig_set_shadows(rig, &small_map);
+	parts_add_light(rig->scene, &lights[0]);
+	parts_add_light(other, &lights[0]);
+	for (size_t light = 0; light < LIGHTS; light++) {
+		struct sm_light_desc desc = lights[light];
+		desc.intensity = 1.0f;
+		assert_true(sm_scene_set_light(rig->scene, 0, &desc, NULL));
+		assert_true(sm_scene_set_light(other, 0, &desc, NULL));
+		for (size_t view = 0; view < VIEWS; view++) {
+			char what[100];
+			describe(what, &lights[light], views[view].name);
+			check_same_visibility(rig, other, &views[view].camera, ties, what);
+		}
+	}
+	add_dimmed_lights(rig->scene);
+	add_dimmed_lights(other);
+	for (size_t view = 0; view < VIEWS; view++) {
+		uint8_t *one = draw_picture(rig, rig->scene, &views[view].camera);
+		uint8_t *two = draw_picture(rig, other, &views[view].camera);
+		size_t differing = 0;
+		for (size_t i = 0; i < PICTURE_BYTES; i += 4)
+			differing += memcmp(one + i, two + i, 4) != 0;
+		if (differing > ties)
+			fail_msg("all lights, seen from %s: %zu pixels differ", views[view].name,
+				differing);
+		free(one);
+		free(two);
+	}
+}
+
+static size_t forget_solids(struct sm_scene *scene)
+{
+	size_t solids = 0;
+	for (size_t i = 0; i < scene->mesh_count; i++) {
+		solids += scene->meshes[i].solid;
+		scene->meshes[i].solid = false;
+	}
+	return solids;
+}
+
+/* Lights and cameras are outside and inside of solids, some of which are mirrored. */
+static void back_faces_of_solids_are_not_missed(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_scene *hollow = sm_scene_create();
+	assert_non_null(hollow);
+	add_things(rig->scene, PART_BOTH, false);
+	add_things(hollow, PART_BOTH, false);
+	sm_scene_set_environment(hollow, &(struct sm_environment){0});
+	assert_int_equal(forget_solids(hollow), 2);
+	check_same_pictures(rig, hollow, TIES);
+	sm_scene_destroy(hollow);
+}
+
+static void what_is_not_solid_shows_its_back(void **state)
+{
+	struct rig *rig = *state;
+	const struct sm_camera below = {{2, -3, 4}, {0, 0, 0}, {0, 1, 0}, 30, 0, 0};
+	struct visibility seen;
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_BOTH,
+		&(struct pose){.scale = {1, 1, 1}});
+	parts_add_light(rig->scene, &lights[0]);
+	visibility_draw(&seen, rig, rig->scene, &below, WIDTH, HEIGHT);
+	assert_true(visibility_at(&seen, WIDTH / 2, HEIGHT / 2) == 0.0);
+	visibility_finish(&seen);
+}
+
+static void back_faces_in_built_in_scenes_are_not_missed(void **state)
+{
+	struct rig *rig = *state;
+	size_t solids = 0;
+	for (size_t i = 0; builtin_name(i) != NULL; i++) {
+		struct stage stage, hollow;
+		load(&stage, builtin_name(i));
+		load(&hollow, builtin_name(i));
+		solids += forget_solids(hollow.scene);
+		struct visibility one, two;
+		visibility_draw(&one, rig, stage.scene, &stage.camera, WIDTH, HEIGHT);
+		visibility_draw(&two, rig, hollow.scene, &stage.camera, WIDTH, HEIGHT);
+		check_same(&one, &two, TIES, builtin_name(i));
+		stage_finish(&hollow);
+		stage_finish(&stage);
+	}
+	assert_true(solids >= 7);
+}
+
+static void the_order_of_objects_does_not_matter(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_scene *reversed = sm_scene_create();
+	assert_non_null(reversed);
+	sm_scene_set_environment(reversed, &(struct sm_environment){0});
+	add_things(rig->scene, PART_BOTH, false);
+	add_things(reversed, PART_BOTH, true);
+	check_same_pictures(rig, reversed, 0);
+	sm_scene_destroy(reversed);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		rig_test(parts_look_like_the_whole),
+		rig_test(parts_look_like_the_whole_from_anywhere),
+		rig_test(parts_of_built_in_scenes_look_like_the_whole),
+		rig_test(parts_of_many_lights_add_up),
+		rig_test(back_faces_of_solids_are_not_missed),
+		rig_test(what_is_not_solid_shows_its_back),
+		rig_test(back_faces_in_built_in_scenes_are_not_missed),
+		rig_test(the_order_of_objects_does_not_matter),
+	};
+	return cmocka_run_group_tests_name("soft_parts", tests, NULL, NULL);
+}
