@@ -24,13 +24,14 @@ system=$(pkg-config --cflags --libs egl glesv2)
 
 LD_LIBRARY_PATH=$installed${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} "$copy/example" >"$copy/picture.ppm"
 
-# After 15 bytes of header, R,G,B. The ground is grey and evenly lit, the box is not grey.
+# After 15 bytes of header, R,G,B. The ground is grey and lit all over, the blocker is not grey.
 tail -c +16 "$copy/picture.ppm" | od -An -v -tu1 -w3 | awk '
-	$1 - $3 > 30 { box++; next }
-	$1 < 96 { shadow++; next }
-	$1 < 216 { penumbra++; next }
+	$1 - $3 > 30 { blocker++; next }
+	$1 < 104 { shadow++; next }
+	$1 < 160 { penumbra++; next }
 	{ lit++ }
 	END {
-		printf "pixels: box %d, shadow %d, penumbra %d, lit %d\n", box, shadow, penumbra, lit
-		exit !(box > 5000 && shadow > 2000 && penumbra > 500 && lit > 40000)
+		printf "pixels: blocker %d, shadow %d, penumbra %d, lit %d\n",
+			blocker, shadow, penumbra, lit
+		exit !(blocker > 5000 && shadow > 4000 && penumbra > 300 && lit > 50000)
 	}'
