@@ -30,8 +30,10 @@ static void find_sphere(
 	double max[3] = {-INFINITY, -INFINITY, -INFINITY};
 	for (size_t v = 0; v < vertex_count; v++) {
 		for (int i = 0; i < 3; i++) {
-			min[i] = fmin(min[i], positions[v][i]);
-			max[i] = fmax(max[i], positions[v][i]);
+			if (positions[v][i] < min[i])
+				min[i] = positions[v][i];
+			if (positions[v][i] > max[i])
+				max[i] = positions[v][i];
 		}
 	}
 	for (int i = 0; i < 3; i++)
@@ -41,7 +43,9 @@ static void find_sphere(
 		double arm[3];
 		for (int i = 0; i < 3; i++)
 			arm[i] = positions[v][i] - planes->center[i];
-		planes->radius = fmax(planes->radius, length(arm));
+		double distance = length(arm);
+		if (distance > planes->radius)
+			planes->radius = distance;
 	}
 }
 
