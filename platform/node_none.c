@@ -6,7 +6,8 @@ bool node_init(struct node *node, const char *path, bool debug, struct sm_error 
 {
 	(void)path, (void)debug;
 	*node = (struct node){.fd = -1};
-	return error_set(error, SM_ERROR_MACHINE, "this smoothie was built without GBM");
+	return error_set(error, SM_ERROR_INPUT,
+		"it needs GBM, which this smoothie was built without; try \"surfaceless\"");
 }
 
 void node_finish(struct node *node)

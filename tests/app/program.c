@@ -21,6 +21,19 @@
 
 extern char **environ;
 
+/* As a shell would start it: a caller such as nohup may have us ignore signals. */
+static void heed_signals(posix_spawnattr_t *attributes)
+{
+	sigset_t heeded;
+	sigemptyset(&heeded);
+	sigaddset(&heeded, SIGHUP);
+	sigaddset(&heeded, SIGINT);
+	sigaddset(&heeded, SIGTERM);
+	posix_spawnattr_init(attributes);
+	posix_spawnattr_setsigdefault(attributes, &heeded);
+	posix_spawnattr_setflags(attributes, POSIX_SPAWN_SETSIGDEF);
+}
+
 static pid_t spawn(const struct run *run, int out, int error)
 {
 	char *argv[MAX_ARGUMENTS + 2] = {(char *)SMOOTHIE_PROGRAM};
@@ -35,8 +48,11 @@ static pid_t spawn(const struct run *run, int out, int error)
 	posix_spawn_file_actions_init(&actions);
 	posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
 	posix_spawn_file_actions_adddup2(&actions, error, STDERR_FILENO);
+	posix_spawnattr_t attributes;
+	heed_signals(&attributes);
 	pid_t pid;
-	int code = posix_spawn(&pid, argv[0], &actions, NULL, argv, environment);
+	int code = posix_spawn(&pid, argv[0], &actions, &attributes, argv, environment);
+	posix_spawnattr_destroy(&attributes);
 	posix_spawn_file_actions_destroy(&actions);
 	assert_int_equal(code, 0);
 	return pid;
@@ -111,6 +127,15 @@ void assert_failure(const struct outcome *outcome, int status, const char *text)
 		end == NULL || end[1] != '\0' || strstr(outcome->error, text) == NULL)
 		fail_msg("wanted status %d and one line with \"%s\"; got status %d and:\n%s",
 			status, text, outcome->status, outcome->error);
+}
+
+void assert_output(const struct outcome *outcome, const char *const *texts, size_t count)
+{
+	assert_int_equal(outcome->status, 0);
+	assert_string_equal(outcome->error, "");
+	for (size_t i = 0; i < count; i++)
+		if (strstr(outcome->out, texts[i]) == NULL)
+			fail_msg("text %zu of the expected is not in\n%s", i, outcome->out);
 }
 
 int enter_scratch(void **state)

@@ -40,6 +40,12 @@ int await_program(pid_t pid);
 /** Asserts a failure as users see it: this status, and one line on stderr that holds `text`. */
 void assert_failure(const struct outcome *outcome, int status, const char *text);
 
+/** Asserts success without a word on stderr, and that stdout holds each of the texts. */
+void assert_output(const struct outcome *outcome, const char *const *texts, size_t count);
+/** assert_output() with an array. */
+#define ASSERT_LINES(outcome, lines) \
+	assert_output(outcome, lines, sizeof(lines) / sizeof((lines)[0]))
+
 /** cmocka set-up and tear-down: a fresh folder, which is the working folder meanwhile. */
 int enter_scratch(void **state);
 int leave_scratch(void **state);
