@@ -108,6 +108,7 @@ struct sm_object_desc {
 	float base_color[4];   /**< linear; alpha is not used */
 	uint32_t image;        /**< multiplies base_color; SM_NONE for none */
 	bool casts, receives;  /**< shadows */
+	bool single_sided;     /**< its back is not seen; its shadow is the same */
 };
 
 SM_API bool sm_scene_add_object(struct sm_scene *scene, const struct sm_object_desc *desc,

@@ -74,7 +74,8 @@ static void set_object(
 	gl->UniformMatrix3fv(program->uniform.normal_to_light, 1, GL_FALSE, normal_to_light[0]);
 	gl->Uniform3f(program->uniform.base_color, object->base_color[0], object->base_color[1],
 		object->base_color[2]);
-	gpu_set_faces(gpu, &pass->scene->meshes[object->mesh], transform, to_clip);
+	gpu_set_faces(
+		gpu, &pass->scene->meshes[object->mesh], transform, to_clip, object->single_sided);
 	if (object->image != SM_NONE)
 		gpu_bind_texture(gpu, UNIT_BASE, gpu->scene.images[object->image]);
 }

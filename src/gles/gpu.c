@@ -46,11 +46,12 @@ static bool box_beyond_near(const float min[3], const float max[3], mat4 to_clip
 	return true;
 }
 
-void gpu_set_faces(struct gpu *gpu, const struct mesh *mesh, mat4 transform, mat4 to_clip)
+void gpu_set_faces(
+	struct gpu *gpu, const struct mesh *mesh, mat4 transform, mat4 to_clip, bool single_sided)
 {
 	struct gl *gl = &gpu->gl;
 	gl->FrontFace(glm_mat4_det(transform) < 0.0f ? GL_CW : GL_CCW);
-	if (mesh->solid && box_beyond_near(mesh->min, mesh->max, to_clip))
+	if (single_sided || (mesh->solid && box_beyond_near(mesh->min, mesh->max, to_clip)))
 		gl->Enable(GL_CULL_FACE);
 	else
 		gl->Disable(GL_CULL_FACE);

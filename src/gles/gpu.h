@@ -26,9 +26,10 @@ void gpu_finish(struct gpu *gpu);
 /**
  * Before an object's triangles are drawn: which way they are wound (a mirroring transform turns
  * that), and whether back faces are left out, as they are of a solid that lies wholly beyond the
- * near plane. to_clip: object to clip space.
+ * near plane, and if `single_sided` anyway. to_clip: object to clip space.
  */
-void gpu_set_faces(struct gpu *gpu, const struct mesh *mesh, mat4 transform, mat4 to_clip);
+void gpu_set_faces(
+	struct gpu *gpu, const struct mesh *mesh, mat4 transform, mat4 to_clip, bool single_sided);
 
 /** Draws clusters of a mesh as seen, with the program in use. */
 void gpu_draw_surface(

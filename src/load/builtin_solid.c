@@ -50,7 +50,7 @@ struct sm_object_desc *builtin_torus(struct model *model)
 	const float tube = .15f, ring = .5f - tube;
 	struct solid_point profile[2 * BANDS];
 	for (int i = 0; i < 2 * BANDS; i++) {
-		float angle = 2 * GLM_PIf * (float)((i + 1) / 2) / BANDS;
+		float angle = 2 * GLM_PIf * (float)((i + 1) / 2 % BANDS) / BANDS;
 		float c = cosf(angle), s = sinf(angle);
 		profile[i] = (struct solid_point){ring + tube * c, tube + tube * s, c, s};
 	}

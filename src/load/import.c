@@ -30,6 +30,7 @@ struct material {
 	float color[4];
 	uint32_t image;   /* of the model, or SM_NONE */
 	unsigned channel; /* of the texture coordinates */
+	bool single_sided;
 };
 
 struct import {
@@ -67,6 +68,14 @@ static void base_color(const struct aiMaterial *material, float color[4])
 	for (int i = 0; i < 3; i++)
 		color[i] = is_linear ? rgb[i] : color_linear(fmaxf(rgb[i], 0));
 	color[3] = 1;
+}
+
+/** Only glTF says so; models of other formats often show their backs. */
+static bool is_single_sided(const struct import *import, const struct aiMaterial *material)
+{
+	int two_sided = 1;
+	aiGetMaterialIntegerArray(material, AI_MATKEY_TWOSIDED, &two_sided, NULL);
+	return import->is_gltf && !two_sided;
 }
 
 /** A picture's file beside the model: its path there, or failing that its bare name. */
@@ -167,6 +176,7 @@ static void add_material(struct import *import, unsigned index)
 	struct material *material = &import->materials[index];
 	*material = (struct material){.image = SM_NONE};
 	base_color(source, material->color);
+	material->single_sided = is_single_sided(import, source);
 	for (size_t k = 0; k < 2 && material->image == SM_NONE; k++) {
 		struct aiString name;
 		unsigned channel = 0;
@@ -292,6 +302,7 @@ static void add_object(struct import *import, const struct aiNode *node, unsigne
 									  : SM_NONE,
 		.casts = true,
 		.receives = true,
+		.single_sided = material->single_sided,
 	};
 	memcpy(object->transform, world, sizeof(object->transform));
 	memcpy(object->base_color, material->color, sizeof(object->base_color));

@@ -158,6 +158,7 @@ bool sm_scene_add_object(struct sm_scene *scene, const struct sm_object_desc *de
 		.base_color = {desc->base_color[0], desc->base_color[1], desc->base_color[2]},
 		.casts = desc->casts,
 		.receives = desc->receives,
+		.single_sided = desc->single_sided,
 	};
 	if (!copy_name(desc->name, &added->name, error))
 		return false;

@@ -16,7 +16,7 @@ struct object {
 	uint32_t mesh, image;
 	mat4 transform;
 	vec3 base_color;
-	bool casts, receives;
+	bool casts, receives, single_sided;
 	vec3 min, max; /* world space */
 };
 

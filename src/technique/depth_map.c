@@ -55,8 +55,8 @@ static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
 		mat4 to_clip;
 		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
 		gl->UniformMatrix4fv(program->uniform.object_to_clip, 1, GL_FALSE, to_clip[0]);
-		gpu_set_faces(
-			gpu, &scene->meshes[object->mesh], (vec4 *)object->transform, to_clip);
+		gpu_set_faces(gpu, &scene->meshes[object->mesh], (vec4 *)object->transform, to_clip,
+			false);
 		gpu_draw_caster(gpu, &gpu->scene.meshes[object->mesh]);
 	}
 	gl->Disable(GL_CULL_FACE);

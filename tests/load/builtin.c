@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "load/builtin.h"
 #include "load/model.h"
+#include "load/stage.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -208,6 +209,30 @@ static void solids_stand_in_a_unit_cube(void **state)
 	}
 }
 
+static void all_but_the_ground_is_closed(void **state)
+{
+	(void)state;
+	for (size_t i = 0; builtin_name(i) != NULL; i++) {
+		char source[64];
+		struct stage stage;
+		struct sm_error error;
+		snprintf(source, sizeof(source), "builtin:%s", builtin_name(i));
+		if (!stage_load(&stage, source, NULL, 0, &error))
+			fail_msg("%s", error.text);
+		uint32_t open_meshes = 0;
+		for (uint32_t m = 0; m < sm_scene_mesh_count(stage.scene); m++) {
+			struct sm_mesh_stats stats;
+			sm_scene_get_mesh_stats(stage.scene, m, &stats);
+			assert_int_equal(stats.degenerate_triangles, 0);
+			assert_int_equal(stats.non_manifold_edges + stats.inverted_edges, 0);
+			assert_true(stats.open_edges == 0 || stats.triangles == 2);
+			open_meshes += stats.open_edges > 0;
+		}
+		assert_int_equal(open_meshes, 1);
+		stage_finish(&stage);
+	}
+}
+
 static size_t count_triangles(const struct model *model)
 {
 	size_t indices = 0;
@@ -244,6 +269,7 @@ int main(void)
 		cmocka_unit_test(study_scenes_equal_their_files),
 		cmocka_unit_test(surfaces_look_outwards),
 		cmocka_unit_test(solids_stand_in_a_unit_cube),
+		cmocka_unit_test(all_but_the_ground_is_closed),
 		cmocka_unit_test(primitives_have_their_size),
 		cmocka_unit_test(an_unknown_name_lists_the_known),
 	};

@@ -109,6 +109,33 @@ static void base_colors_become_linear(void **state)
 	model_destroy(model);
 }
 
+/* glTF's materials show their fronts alone unless they say otherwise; others do not say. */
+static void a_gltf_material_is_single_sided_unless_it_is_double_sided(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *material;
+		bool single_sided;
+	} cases[] = {
+		{"{}", true}, {"{\"doubleSided\":false}", true}, {"{\"doubleSided\":true}", false}};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		char text[1024];
+		snprintf(text, sizeof(text),
+			GLTF("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+			     "\"materials\":[%s],\"meshes\":[{\"primitives\":"
+			     "[{\"material\":0,\"attributes\":{\"POSITION\":0}}]}]"),
+			cases[i].material);
+		struct model *model = load(folder_write_text("sides.gltf", text), PLAN_UP_AUTO);
+		assert_int_equal(model->objects[0].single_sided, cases[i].single_sided);
+		model_destroy(model);
+	}
+	struct model *model =
+		load(folder_write_text("sides.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+			PLAN_UP_AUTO);
+	assert_false(model->objects[0].single_sided);
+	model_destroy(model);
+}
+
 static void the_camera_is_taken(void **state)
 {
 	(void)state;
@@ -360,6 +387,8 @@ int main(void)
 		cmocka_unit_test(points_and_lines_are_left_out),
 		cmocka_unit_test(missing_normals_are_made),
 		cmocka_unit_test(base_colors_become_linear),
+		cmocka_unit_test(a_gltf_material_is_single_sided_unless_it_is_double_sided),
+		cmocka_unit_test(a_gltf_material_is_single_sided_unless_it_is_double_sided),
 		cmocka_unit_test(the_camera_is_taken),
 		cmocka_unit_test(lights_are_taken),
 		cmocka_unit_test(a_png_texture_is_decoded),

@@ -151,6 +151,32 @@ static void light_from_behind_the_seen_side_is_none(void **state)
 	assert_center(rig, &beneath, (const double[]){1, 1, 1});
 }
 
+static void the_back_of_what_is_single_sided_is_not_seen(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_environment environment = {
+		.sky = {0.5f, 0.5f, 0.5f}, .background = {0.2f, 0.1f, 0.05f}};
+	sm_scene_set_environment(rig->scene, &environment);
+	struct sm_object_desc floor = {
+		.mesh = parts_add_square(rig->scene),
+		.transform = {9, 0, 0, 0, 0, 1, 0, 0, 0, 0, 9, 0, 0, 0, 0, 1},
+		.base_color = {1, 1, 1, 1},
+		.image = SM_NONE,
+		.single_sided = true,
+	};
+	uint32_t object;
+	assert_true(sm_scene_add_object(rig->scene, &floor, &object, NULL));
+	struct sm_camera below = overhead;
+	below.eye[1] = -5;
+	assert_center(rig, &overhead, (const double[]){0.5, 0.5, 0.5});
+	assert_center(rig, &below, (const double[]){0.2, 0.1, 0.05});
+	/* Turned over by a mirroring transform, it is still its own front. */
+	static const float mirrored[16] = {-9, 0, 0, 0, 0, 1, 0, 0, 0, 0, 9, 0, 0, 0, 0, 1};
+	assert_true(sm_scene_set_transform(rig->scene, object, mirrored, NULL));
+	assert_center(rig, &overhead, (const double[]){0.5, 0.5, 0.5});
+	assert_center(rig, &below, (const double[]){0.2, 0.1, 0.05});
+}
+
 /* Along a line from the axis of a spot to its cone, 0.705 units on the floor; the picture shows
  * 1.82 to either side. */
 static void a_spot_fades_towards_its_cone_and_ends_there(void **state)
@@ -323,6 +349,7 @@ int main(void)
 		rig_test(spots_fall_off_with_the_distance_squared_and_directional_lights_do_not),
 		rig_test(a_slanted_light_gives_the_cosine),
 		rig_test(light_from_behind_the_seen_side_is_none),
+		rig_test(the_back_of_what_is_single_sided_is_not_seen),
 		rig_test(a_spot_fades_towards_its_cone_and_ends_there),
 		rig_test(ambient_light_comes_from_above_and_below),
 		rig_test(an_image_multiplies_the_base_color_with_its_first_row_at_v_zero),
