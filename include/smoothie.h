@@ -65,10 +65,10 @@ SM_API void sm_scene_destroy(struct sm_scene *scene);
 
 /** Triangles as plain arrays; copied, so the caller may free them afterwards. */
 struct sm_mesh_desc {
-	const char *name;        /**< for error messages; may be NULL */
-	const float *positions;  /**< [vertex_count][3], finite */
-	const float *normals;    /**< [vertex_count][3]; NULL: flat, from the triangles */
-	const float *uvs;        /**< [vertex_count][2], (0,0) = first texel; may be NULL */
+	const char *name;       /**< for error messages; may be NULL */
+	const float *positions; /**< [vertex_count][3], finite */
+	const float *normals;   /**< [vertex_count][3]; NULL: flat, from the triangles */
+	const float *uvs;       /**< [vertex_count][2], (0,0) = first texel; may be NULL */
 	size_t vertex_count;
 	const uint32_t *indices; /**< [index_count], each < vertex_count */
 	size_t index_count;      /**< a multiple of 3, below 3 * 2^31 */
@@ -85,12 +85,12 @@ struct sm_mesh_stats {
 	size_t degenerate_triangles; /**< no area: they face nowhere */
 	size_t vertices;             /**< as given, identical ones merged */
 	size_t welded_vertices;      /**< distinct positions */
-	size_t edges;                /**< distinct pairs of welded vertices joined by a triangle side */
-	size_t open_edges;           /**< with one triangle */
-	size_t non_manifold_edges;   /**< with more than two */
-	size_t inverted_edges;       /**< with two triangles that run through it the same way */
-	size_t edge_bytes;           /**< packed edge table */
-	size_t plane_bytes;          /**< face planes for the facing test */
+	size_t edges;      /**< distinct pairs of welded vertices joined by a triangle side */
+	size_t open_edges; /**< with one triangle */
+	size_t non_manifold_edges; /**< with more than two */
+	size_t inverted_edges;     /**< with two triangles that run through it the same way */
+	size_t edge_bytes;         /**< packed edge table */
+	size_t plane_bytes;        /**< face planes for the facing test */
 };
 
 SM_API void sm_scene_get_mesh_stats(
@@ -102,20 +102,20 @@ SM_API bool sm_scene_add_image(struct sm_scene *scene, uint32_t width, uint32_t 
 	const uint8_t *rgba, uint32_t *image, struct sm_error *error);
 
 struct sm_object_desc {
-	const char *name;      /**< may be NULL */
+	const char *name; /**< may be NULL */
 	uint32_t mesh;
-	float transform[16];   /**< object to world, column-major, affine, finite */
-	float base_color[4];   /**< linear; alpha is not used */
-	uint32_t image;        /**< multiplies base_color; SM_NONE for none */
-	bool casts, receives;  /**< shadows */
-	bool single_sided;     /**< its back is not seen; its shadow is the same */
+	float transform[16];  /**< object to world, column-major, affine, finite */
+	float base_color[4];  /**< linear; alpha is not used */
+	uint32_t image;       /**< multiplies base_color; SM_NONE for none */
+	bool casts, receives; /**< shadows */
+	bool single_sided;    /**< its back is not seen; its shadow is the same */
 };
 
 SM_API bool sm_scene_add_object(struct sm_scene *scene, const struct sm_object_desc *desc,
 	uint32_t *object, struct sm_error *error);
 /** transform: as in sm_object_desc. */
-SM_API bool sm_scene_set_transform(struct sm_scene *scene, uint32_t object,
-	const float transform[16], struct sm_error *error);
+SM_API bool sm_scene_set_transform(
+	struct sm_scene *scene, uint32_t object, const float transform[16], struct sm_error *error);
 
 enum sm_light_type {
 	SM_LIGHT_SPOT,        /**< a cone from position towards target */
@@ -123,16 +123,16 @@ enum sm_light_type {
 };
 
 struct sm_light_desc {
-	const char *name;      /**< may be NULL */
+	const char *name; /**< may be NULL */
 	enum sm_light_type type;
 	float position[3];
-	float target[3];       /**< differs from position */
-	float radius;          /**< of the luminous disc at position, >= 0; 0: a point */
-	float angle;           /**< spot: full angle of the cone, (0, 170] degrees */
-	float softness;        /**< spot: share of the cone's half angle over which light fades, [0, 1] */
-	float color[3];        /**< linear, >= 0 */
-	float intensity;       /**< illuminance at target; 1 shows a white surface that faces the
-				    light as white. Spots fall off with the distance squared. */
+	float target[3]; /**< differs from position */
+	float radius;    /**< of the luminous disc at position, >= 0; 0: a point */
+	float angle;     /**< spot: full angle of the cone, (0, 170] degrees */
+	float softness;  /**< spot: share of the cone's half angle over which light fades, [0, 1] */
+	float color[3];  /**< linear, >= 0 */
+	float intensity; /**< illuminance at target; 1 shows a white surface that faces the
+			      light as white. Spots fall off with the distance squared. */
 };
 
 SM_API bool sm_scene_add_light(struct sm_scene *scene, const struct sm_light_desc *desc,
@@ -142,8 +142,8 @@ SM_API bool sm_scene_set_light(struct sm_scene *scene, uint32_t light,
 
 /** Light that comes from everywhere, and what is seen where there is nothing. Linear. */
 struct sm_environment {
-	float sky[3];        /**< ambient light from +y */
-	float ground[3];     /**< ambient light from -y */
+	float sky[3];    /**< ambient light from +y */
+	float ground[3]; /**< ambient light from -y */
 	float background[3];
 };
 
@@ -176,17 +176,18 @@ SM_API void sm_renderer_destroy(struct sm_renderer *renderer);
 enum sm_falloff {
 	SM_FALLOFF_DEFAULT,
 	SM_FALLOFF_LINEAR,
-	SM_FALLOFF_SINUSOID, /**< (1 - cos(pi a)) / 2, from a table (Chan & Durand 2003, section 4) */
+	SM_FALLOFF_SINUSOID, /**< (1 - cos(pi a)) / 2, from a table (Chan & Durand 2003, section 4)
+			      */
 };
 
 /** How shadows are made. Zero in a field means the default. A field that the technique does not
  *  use must stay zero: setting it is an error. */
 struct sm_shadow_options {
-	const char *technique;   /**< a name of sm_technique_name(); NULL: the default, "smoothie" */
-	uint32_t map_size;       /**< texels a side of the shadow map, 16 to the driver's limit;
-				      default 1024 */
-	float width;             /**< smoothie: t of the paper, the fins' width as a share of the
-				      light's screen, (0, 1]; default: from the light's radius */
+	const char *technique; /**< a name of sm_technique_name(); NULL: the default, "smoothie" */
+	uint32_t map_size;     /**< texels a side of the shadow map, 16 to the driver's limit;
+				    default 1024 */
+	float width;           /**< smoothie: t of the paper, the fins' width as a share of the
+				    light's screen, (0, 1]; default: from the light's radius */
 	enum sm_falloff falloff; /**< smoothie: default linear */
 	uint32_t passes;         /**< smoothie: 2 fills the smoothie buffer in two passes, nearest
 				      depth and then minimum alpha, as the paper does; default 1 */
@@ -210,9 +211,9 @@ struct sm_camera {
 /** What to draw, and where to. */
 struct sm_view {
 	struct sm_camera camera;
-	uint32_t framebuffer;    /**< GL name, complete, with colour and depth; 0: the context's own.
-				      Written as sRGB whether or not its format is sRGB. */
-	uint32_t width, height;  /**< viewport, from (0, 0) of the framebuffer */
+	uint32_t framebuffer;   /**< GL name, complete, with colour and depth; 0: the context's own.
+				     Written as sRGB whether or not its format is sRGB. */
+	uint32_t width, height; /**< viewport, from (0, 0) of the framebuffer */
 	/** A light, or SM_NONE for the picture. The share of that light that reaches the nearest
 	 *  surface, v in [0, 1], is written instead of a picture: R = high byte, G = low byte of
 	 *  round(65535 v), B = 0, A = 1; 65535 where there is no surface. Needs a framebuffer that
@@ -220,8 +221,9 @@ struct sm_view {
 	uint32_t visibility_of;
 };
 
-/** Draws shadows and frame. GL state that was changed is left at GL's defaults, except for the
- *  bound framebuffer and viewport, which are the view's. */
+/** Draws shadows and frame. Expects GL's state at its defaults, but for the viewport and what is
+ *  bound as program, framebuffer, vertex array, array buffer and 2D textures; leaves at the defaults
+ *  what it changed, but for framebuffer and viewport, which are the view's. */
 SM_API bool sm_renderer_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 	const struct sm_view *view, struct sm_error *error);
 
@@ -233,11 +235,10 @@ struct sm_frame_stats {
 	uint64_t silhouette_edges; /**< all lights */
 	uint64_t fin_vertices;
 	uint64_t uploaded_bytes;
-	double silhouette_ms;      /**< processor time for silhouettes and fins */
+	double silhouette_ms; /**< processor time for silhouettes and fins */
 };
 
-SM_API void sm_renderer_get_stats(
-	const struct sm_renderer *renderer, struct sm_frame_stats *stats);
+SM_API void sm_renderer_get_stats(const struct sm_renderer *renderer, struct sm_frame_stats *stats);
 
 /** Facts about driver and chosen paths as key and value, in a fixed order. */
 typedef void (*sm_fact)(void *data, const char *key, const char *value);

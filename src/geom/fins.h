@@ -14,11 +14,11 @@ enum fin_width {
 struct fin_params {
 	float object_to_clip[16]; /* column-major, the light's clip space: |x|, |y|, |z| <= w */
 	enum fin_width width;
-	float scale;              /* >= 0 */
-	float pole;               /* K of struct light_frame: fins are drawn only as far out as
-				     1 - b/r of a receiver at the far plane, since beyond it
-				     alpha' is 1; 0: drawn in full */
-	float finest;             /* NDC: fins and gaps nowhere wider are left out; 0: none is */
+	float scale;   /* >= 0 */
+	float pole;    /* K of struct light_frame: fins are drawn only as far out as
+			  1 - b/r of a receiver at the far plane, since beyond it
+			  alpha' is 1; 0: drawn in full */
+	float finest;  /* NDC: fins and gaps nowhere wider are left out; 0: none is */
 	bool mirrored; /* the transform flips orientation as seen with x right, y up */
 };
 

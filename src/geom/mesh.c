@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/mesh.h"
-#include "geom/solid.h"
 #include "base/array.h"
 #include "base/error.h"
+#include "geom/solid.h"
 #include <math.h>
 #include <meshoptimizer.h>
 #include <stdlib.h>

@@ -60,8 +60,8 @@ bool caster_is_solid(const struct caster *caster)
 		return false;
 	uint32_t *parents = array_alloc(caster->vertex_count, sizeof(*parents));
 	double *volumes = array_zalloc(caster->vertex_count, sizeof(*volumes));
-	bool solid = parents != NULL && volumes != NULL &&
-		     parts_are_outward(caster, parents, volumes);
+	bool solid =
+		parents != NULL && volumes != NULL && parts_are_outward(caster, parents, volumes);
 	free(parents);
 	free(volumes);
 	return solid;

@@ -34,11 +34,9 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(BUFFERDATA, BufferData) \
 	X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
 	X(CLEARBUFFERFV, ClearBufferfv) \
-	X(COLORMASK, ColorMask) \
 	X(COMPILESHADER, CompileShader) \
 	X(CREATEPROGRAM, CreateProgram) \
 	X(CREATESHADER, CreateShader) \
-	X(CULLFACE, CullFace) \
 	X(DELETEBUFFERS, DeleteBuffers) \
 	X(DELETEFRAMEBUFFERS, DeleteFramebuffers) \
 	X(DELETEPROGRAM, DeleteProgram) \
@@ -72,9 +70,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(GETSTRING, GetString) \
 	X(GETSTRINGI, GetStringi) \
 	X(GETUNIFORMLOCATION, GetUniformLocation) \
-	X(INVALIDATEFRAMEBUFFER, InvalidateFramebuffer) \
 	X(LINKPROGRAM, LinkProgram) \
-	X(PIXELSTOREI, PixelStorei) \
 	X(READBUFFER, ReadBuffer) \
 	X(SAMPLERPARAMETERI, SamplerParameteri) \
 	X(SCISSOR, Scissor) \
@@ -82,12 +78,10 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(TEXIMAGE2D, TexImage2D) \
 	X(TEXPARAMETERI, TexParameteri) \
 	X(TEXSTORAGE2D, TexStorage2D) \
-	X(TEXSUBIMAGE2D, TexSubImage2D) \
 	X(UNIFORM1F, Uniform1f) \
 	X(UNIFORM1I, Uniform1i) \
 	X(UNIFORM2F, Uniform2f) \
 	X(UNIFORM3F, Uniform3f) \
-	X(UNIFORM4F, Uniform4f) \
 	X(UNIFORMMATRIX3FV, UniformMatrix3fv) \
 	X(UNIFORMMATRIX4FV, UniformMatrix4fv) \
 	X(USEPROGRAM, UseProgram) \
