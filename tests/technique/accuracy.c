@@ -119,22 +119,10 @@ static void check_study(struct rig *rig, const struct study *study)
 	check_error("mean at .10", mean_error(rig, study, "0.10"), study->mean_at_10);
 }
 
-/* OpenGL ES leaves it to the driver whether four comparisons are blended. */
-static bool driver_blends_comparisons(struct rig *rig)
-{
-	struct visibility seen;
-	uint32_t between = 0;
-	draw_scene(&seen, rig, &hard, scenes[0], 0.03);
-	for (size_t i = 0; i < SIZE * SIZE; i++)
-		between += seen.values[i] > 0 && seen.values[i] < 65535;
-	visibility_finish(&seen);
-	return between > 0;
-}
-
 static void hard_shadows_are_as_wrong_as_in_the_study(void **state)
 {
 	/* The study's blends them. */
-	if (!driver_blends_comparisons(*state))
+	if (!visibility_is_blended(*state))
 		skip();
 	check_study(*state, &hard);
 }
