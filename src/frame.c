@@ -83,8 +83,11 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 			return false;
 		renderer->gpu.stats.lights++;
 	}
+	GLint samples = 0;
 	gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 	gl->Viewport(0, 0, (GLsizei)view->width, (GLsizei)view->height);
+	gl->GetIntegerv(GL_SAMPLES, &samples);
+	pass->multisampled = samples > 1;
 	clear(gl, pass->scene, pass->flags);
 	pass->first = true;
 	set_pass_state(gl, true);

@@ -237,13 +237,17 @@ static uint32_t flags_of(const struct surface_pass *pass, uint32_t all, enum nee
 	}
 }
 
-/* What is of few triangles and large in the picture is cut by its tiles. */
+/* What is of few triangles and large in the picture is cut by its tiles. Multisampling drivers
+ * (llvmpipe) may draw the pixels along a scissor's side on either side of it: where light is added
+ * up, that would show. */
 static bool cut_to_tiles(
 	const struct surface_pass *pass, const struct object *object, struct tiles *tiles)
 {
 	const struct mesh *mesh = &pass->scene->meshes[object->mesh];
 	const struct gpu_mesh *gpu_mesh = &pass->renderer->gpu.scene.meshes[object->mesh];
-	if (mesh->index_count > 3 * TILE_TRIANGLES_MAX || !is_large(pass, object, gpu_mesh))
+	bool adds_up = !pass->first && pass->multisampled;
+	if (adds_up || mesh->index_count > 3 * TILE_TRIANGLES_MAX ||
+		!is_large(pass, object, gpu_mesh))
 		return false;
 	mat4 to_clip, to_light_clip;
 	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);

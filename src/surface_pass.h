@@ -11,6 +11,7 @@ struct surface_pass {
 	const struct sm_scene *scene;
 	vec4 *world_to_clip;
 	uint32_t width, height;            /* of the picture */
+	bool multisampled;                 /* the framebuffer */
 	const struct sm_light_desc *light; /* NULL: ambient light alone */
 	const struct light_frame *frame;   /* of the light */
 	const void *shadow;                /* state of the technique, for the light */
