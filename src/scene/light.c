@@ -79,15 +79,19 @@ static void widen_by_face(struct depth_range *range, vec3 quad[4], float tangent
 }
 
 /* Depths of the part of a world-space box that is in the cone. A corner of that part lies on a face
- * of the box, or is the light. */
-static void widen_by_box(
-	struct depth_range *range, const struct object *object, mat4 view, float tangent)
+ * of the box, or is the light, if that is in the box. */
+static void widen_by_box(struct depth_range *range, const struct object *object,
+	const float light[3], mat4 view, float tangent)
 {
 	vec3 corners[8];
+	vec3 box[2] = {{object->min[0], object->min[1], object->min[2]},
+		{object->max[0], object->max[1], object->max[2]}};
+	if (glm_aabb_point(box, (float *)light))
+		range->near = 0.0f;
 	for (int i = 0; i < 8; i++) {
 		vec3 p;
 		for (int axis = 0; axis < 3; axis++)
-			p[axis] = i >> axis & 1 ? object->max[axis] : object->min[axis];
+			p[axis] = box[i >> axis & 1][axis];
 		glm_mat4_mulv3(view, p, 1.0f, corners[i]);
 	}
 	static const int faces[6][4] = {
@@ -107,9 +111,9 @@ static void spot_frame(struct light_frame *frame, const struct sm_light_desc *li
 	/* A thousandth more for rounding, here and below. */
 	float tangent = tanf(glm_rad(light->angle) / 2.0f) * 1.001f;
 	for (size_t i = 0; i < scene->object_count; i++) {
-		widen_by_box(&all, &scene->objects[i], view, tangent);
+		widen_by_box(&all, &scene->objects[i], light->position, view, tangent);
 		if (scene->objects[i].casts)
-			widen_by_box(&casters, &scene->objects[i], view, tangent);
+			widen_by_box(&casters, &scene->objects[i], light->position, view, tangent);
 	}
 	/* With nothing in the cone any range will do. */
 	float far_plane = all.far * 1.001f;

@@ -399,6 +399,36 @@ static void gl_is_left_at_its_defaults(void **state)
 	}
 }
 
+/* Floor, ceiling and a small board under the lamp, all one mesh: the lamp is inside its box, with
+ * the board much nearer than any of the box's faces in the cone. */
+static void a_lamp_in_a_room_sees_what_is_near(void **state)
+{
+	struct rig *rig = *state;
+	static const float half[3] = {5, 5, 0.5f}, height[3] = {0, 6, 4};
+	float positions[12][3];
+	uint32_t indices[18];
+	for (uint32_t i = 0; i < 12; i++) {
+		positions[i][0] = i & 1 ? half[i / 4] : -half[i / 4];
+		positions[i][1] = height[i / 4];
+		positions[i][2] = i & 2 ? half[i / 4] : -half[i / 4];
+	}
+	for (uint32_t i = 0; i < 18; i++)
+		indices[i] = i / 6 * 4 + (const uint32_t[]){0, 2, 1, 1, 2, 3}[i % 6];
+	uint32_t mesh = parts_add_mesh(rig->scene, (const float(*)[3])positions, 12, indices, 18);
+	parts_add_object(rig->scene, mesh, PART_BOTH, &(struct pose){.scale = {1, 1, 1}});
+	struct sm_light_desc below_ceiling = {.position = {0, 5, 0}, .radius = 0.1f, .angle = 100};
+	parts_add_light(rig->scene, &below_ceiling);
+	struct sm_camera camera = {.eye = {4, 1, 0}, .up = {0, 1, 0}, .fov = 40};
+	static const char *const techniques[] = {"hard", "smoothie"};
+	for (size_t i = 0; i < 2; i++) {
+		struct visibility seen;
+		rig_set_shadows(rig, &(struct sm_shadow_options){.technique = techniques[i]});
+		visibility_draw(&seen, rig, rig->scene, &camera, 65, 65);
+		assert_true(visibility_at(&seen, 32, 32) == 0);
+		visibility_finish(&seen);
+	}
+}
+
 static void the_counters_are_those_of_the_last_frame(void **state)
 {
 	struct rig *rig = *state;
@@ -444,6 +474,7 @@ int main(void)
 		rig_test(without_a_light_there_is_a_picture_and_no_visibility),
 		rig_test(cameras_that_see_nothing_are_refused),
 		rig_test(gl_is_left_at_its_defaults),
+		rig_test(a_lamp_in_a_room_sees_what_is_near),
 		rig_test(the_counters_are_those_of_the_last_frame),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

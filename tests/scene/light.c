@@ -121,7 +121,7 @@ static void the_near_plane_is_tight_but_not_too_near(void **state)
 		{6, 4}, /* just above the caster */
 		{9.9f, 0.1f},
 		{9.9999f, 0.012f}, /* a thousandth of the far plane's distance, which is 12 */
-		{10.2f, 0.8f},     /* around the light: the cone leaves it below */
+		{10.2f, 0.012f},   /* around the light: what it holds may be as near */
 	};
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct sm_scene *scene = tower(cases[i].top);
