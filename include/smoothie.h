@@ -222,10 +222,29 @@ struct sm_view {
 };
 
 /** Draws shadows and frame. Expects GL's state at its defaults, but for the viewport and what is
- *  bound as program, framebuffer, vertex array, array buffer and 2D textures; leaves at the defaults
- *  what it changed, but for framebuffer and viewport, which are the view's. */
+ *  bound as program, framebuffer, vertex array, array buffer and 2D textures; leaves at the
+ * defaults what it changed, but for framebuffer and viewport, which are the view's. */
 SM_API bool sm_renderer_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 	const struct sm_view *view, struct sm_error *error);
+
+/** A finished picture, and the screen that is to show it. */
+struct sm_screen {
+	uint32_t texture;       /**< GL name, complete, GL_SRGB8_ALPHA8, of width x height texels */
+	uint32_t width, height; /**< of the picture */
+	uint32_t framebuffer;   /**< GL name, complete, not sRGB; 0: the context's own. As large as
+				     the picture, turned: height x width for 90 and 270 degrees. */
+	uint32_t rotation;      /**< degrees clockwise by which the screen shows the picture turned:
+				     0, 90, 180 or 270 */
+	uint8_t bits[3];        /**< of R, G and B in the framebuffer: 5,6,5; 8,8,8 or 10,10,10 */
+};
+
+/** Copies a picture to a screen, pixel by pixel: its very bytes to channels of 8 bits, the nearest
+ *  values to 10, and to fewer by ordered dithering, the same each time. State is expected and left
+ *  as by sm_renderer_draw(), with the screen's framebuffer and viewport. Fails (INPUT) on another
+ *  rotation, other bits, no texture, an sRGB framebuffer, or a size that the driver does not draw;
+ *  (MACHINE) when the driver fails. */
+SM_API bool sm_renderer_copy_to_screen(
+	struct sm_renderer *renderer, const struct sm_screen *screen, struct sm_error *error);
 
 /** What the last sm_renderer_draw() did. */
 struct sm_frame_stats {

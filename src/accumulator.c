@@ -61,11 +61,6 @@ bool accumulator_copy(
 	struct program_key key = {.kind = PROGRAM_COPY};
 	if (program_use(&gpu->programs, &gpu->gl, key, error) == NULL)
 		return false;
-	gpu->gl.Disable(GL_BLEND);
-	gpu->gl.Disable(GL_DEPTH_TEST);
-	gpu_bind_texture(gpu, UNIT_BASE, accumulator->color);
-	gpu->gl.BindVertexArray(0);
-	gpu->gl.DrawArrays(GL_TRIANGLES, 0, 3);
-	gpu->stats.draw_calls++;
+	gpu_fill_viewport(gpu, accumulator->color);
 	return true;
 }

@@ -5,15 +5,6 @@
 #include "surface_pass.h"
 #include <stdlib.h>
 
-static bool framebuffer_is_srgb(struct gl *gl, uint32_t framebuffer)
-{
-	GLint encoding = GL_LINEAR;
-	gl->GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER,
-		framebuffer != 0 ? GL_COLOR_ATTACHMENT0 : GL_BACK,
-		GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
-	return encoding == GL_SRGB;
-}
-
 static float encode_srgb(float c)
 {
 	return c <= 0.0031308f ? 12.92f * c : 1.055f * powf(c, 1.0f / 2.4f) - 0.055f;
@@ -45,26 +36,6 @@ static void set_pass_state(struct gl *gl, bool first)
 		gl->Enable(GL_BLEND);
 		gl->BlendFunc(GL_ONE, GL_ONE);
 	}
-}
-
-static void restore_state(struct gl *gl)
-{
-	gl->Disable(GL_BLEND);
-	gl->BlendFunc(GL_ONE, GL_ZERO);
-	gl->Disable(GL_CULL_FACE);
-	gl->FrontFace(GL_CCW);
-	gl->Disable(GL_DEPTH_TEST);
-	gl->DepthFunc(GL_LESS);
-	gl->DepthMask(GL_TRUE);
-	gl->BindVertexArray(0);
-	gl->BindBuffer(GL_ARRAY_BUFFER, 0);
-	gl->UseProgram(0);
-	for (GLuint unit = 0; unit < UNIT_COUNT; unit++) {
-		gl->ActiveTexture(GL_TEXTURE0 + unit);
-		gl->BindTexture(GL_TEXTURE_2D, 0);
-		gl->BindSampler(unit, 0);
-	}
-	gl->ActiveTexture(GL_TEXTURE0);
 }
 
 /* Shadow maps of lights first .. last - 1, then their surfaces, one light after the other. The
@@ -158,7 +129,7 @@ bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 	gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
 	if (visibility)
 		pass.flags = FLAG_VISIBILITY;
-	else if (!framebuffer_is_srgb(gl, view->framebuffer))
+	else if (!gl_framebuffer_is_srgb(gl, view->framebuffer))
 		pass.flags = FLAG_ENCODE_SRGB;
 	/* Adding lights up takes linear light, which blending has on sRGB framebuffers alone. */
 	bool accumulate = pass.flags & FLAG_ENCODE_SRGB && last - first > 1;
@@ -174,6 +145,6 @@ bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 		gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
 		drawn = accumulator_copy(&renderer->accumulator, gpu, error);
 	}
-	restore_state(gl);
+	gpu_restore_state(gpu);
 	return drawn;
 }

@@ -53,16 +53,29 @@ const char *sm_technique_summary(size_t index)
 	return technique != NULL ? technique->summary : NULL;
 }
 
-bool sm_renderer_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
-	const struct sm_view *view, struct sm_error *error)
+static bool check_drawn(struct gl *gl, bool drawn, struct sm_error *error)
 {
-	renderer->gpu.stats = (struct sm_frame_stats){0};
-	gl_take_error(&renderer->gpu.gl);
-	bool drawn = frame_draw(renderer, scene, view, error);
-	const char *problem = gl_take_error(&renderer->gpu.gl);
+	const char *problem = gl_take_error(gl);
 	if (drawn && problem != NULL)
 		return error_set(error, SM_ERROR_MACHINE, "drawing failed: %s", problem);
 	return drawn;
+}
+
+bool sm_renderer_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
+	const struct sm_view *view, struct sm_error *error)
+{
+	struct gl *gl = &renderer->gpu.gl;
+	renderer->gpu.stats = (struct sm_frame_stats){0};
+	gl_take_error(gl);
+	return check_drawn(gl, frame_draw(renderer, scene, view, error), error);
+}
+
+bool sm_renderer_copy_to_screen(
+	struct sm_renderer *renderer, const struct sm_screen *screen, struct sm_error *error)
+{
+	struct gl *gl = &renderer->gpu.gl;
+	gl_take_error(gl);
+	return check_drawn(gl, screen_draw(&renderer->gpu, screen, error), error);
 }
 
 void sm_renderer_get_stats(const struct sm_renderer *renderer, struct sm_frame_stats *stats)

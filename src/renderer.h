@@ -24,4 +24,7 @@ struct sm_renderer {
 bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 	const struct sm_view *view, struct sm_error *error);
 
+/** sm_renderer_copy_to_screen() without the check for GL's errors. */
+bool screen_draw(struct gpu *gpu, const struct sm_screen *screen, struct sm_error *error);
+
 #endif

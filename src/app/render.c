@@ -294,6 +294,7 @@ static bool render_frame(struct render *render, const struct render_options *opt
 		return false;
 	glFinish();
 	stopwatch_lap(&render->stopwatch, number == 1 ? "first frame" : "further frames");
+	target_resolve(&render->target);
 	if (!target_read(&render->target, render->pixels, error))
 		return false;
 	stopwatch_lap(&render->stopwatch, "read back");

@@ -6,9 +6,11 @@
 
 static bool check_size(uint32_t width, uint32_t height, struct sm_error *error)
 {
-	GLint side = 0, viewport[2] = {0};
-	glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &side);
+	GLint buffer = 0, texture = 0, viewport[2] = {0};
+	glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
+	glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
 	glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+	GLint side = buffer < texture ? buffer : texture;
 	GLint max_width = side < viewport[0] ? side : viewport[0];
 	GLint max_height = side < viewport[1] ? side : viewport[1];
 	if (width > 0 && height > 0 && width <= (GLuint)max_width && height <= (GLuint)max_height)
@@ -32,13 +34,24 @@ static GLsizei available_samples(GLenum color, uint32_t wanted)
 	return max > 1 ? max : 0;
 }
 
-static void attach(const struct target *target, GLenum attachment, uint32_t buffer, GLenum format,
-	GLsizei samples)
+static void attach_buffer(const struct target *target, GLenum attachment, uint32_t buffer,
+	GLenum format, GLsizei samples)
 {
 	glBindRenderbuffer(GL_RENDERBUFFER, buffer);
 	glRenderbufferStorageMultisample(
 		GL_RENDERBUFFER, samples, format, (GLsizei)target->width, (GLsizei)target->height);
 	glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+}
+
+static void attach_texture(const struct target *target, GLenum format)
+{
+	glBindTexture(GL_TEXTURE_2D, target->texture);
+	glTexStorage2D(GL_TEXTURE_2D, 1, format, (GLsizei)target->width, (GLsizei)target->height);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+	glFramebufferTexture2D(
+		GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture, 0);
+	glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 static bool check_complete(const struct target *target, struct sm_error *error)
@@ -60,33 +73,42 @@ bool target_init(struct target *target, enum target_kind kind, uint32_t width, u
 	if (!check_size(width, height, error))
 		return false;
 	GLsizei multisamples = available_samples(format, samples);
-	glGenRenderbuffers(3, target->buffers);
+	glGenRenderbuffers(2, target->buffers);
+	glGenTextures(1, &target->texture);
 	glGenFramebuffers(1, &target->framebuffer);
 	target->resolved = target->framebuffer;
-	if (multisamples > 0) {
+	if (multisamples > 0)
 		glGenFramebuffers(1, &target->resolved);
-		glBindFramebuffer(GL_FRAMEBUFFER, target->resolved);
-		attach(target, GL_COLOR_ATTACHMENT0, target->buffers[2], format, 0);
+	glBindFramebuffer(GL_FRAMEBUFFER, target->resolved);
+	attach_texture(target, format);
+	if (multisamples > 0) {
 		if (!check_complete(target, error))
 			return false;
+		glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+		attach_buffer(
+			target, GL_COLOR_ATTACHMENT0, target->buffers[1], format, multisamples);
 	}
-	glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
-	attach(target, GL_COLOR_ATTACHMENT0, target->buffers[0], format, multisamples);
-	attach(target, GL_DEPTH_ATTACHMENT, target->buffers[1], GL_DEPTH_COMPONENT24, multisamples);
+	attach_buffer(target, GL_DEPTH_ATTACHMENT, target->buffers[0], GL_DEPTH_COMPONENT24,
+		multisamples);
 	return check_complete(target, error);
+}
+
+void target_resolve(const struct target *target)
+{
+	GLint width = (GLint)target->width, height = (GLint)target->height;
+	if (target->resolved == target->framebuffer)
+		return;
+	glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
+	glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target->resolved);
+	glBlitFramebuffer(
+		0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 bool target_read(const struct target *target, uint8_t *rgba, struct sm_error *error)
 {
-	GLint width = (GLint)target->width, height = (GLint)target->height;
-	if (target->resolved != target->framebuffer) {
-		glBindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
-		glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target->resolved);
-		glBlitFramebuffer(
-			0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-	}
 	glBindFramebuffer(GL_FRAMEBUFFER, target->resolved);
-	glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+	glReadPixels(0, 0, (GLsizei)target->width, (GLsizei)target->height, GL_RGBA,
+		GL_UNSIGNED_BYTE, rgba);
 	GLenum code = glGetError();
 	return code == GL_NO_ERROR ||
 	       error_set(error, SM_ERROR_MACHINE,
@@ -99,7 +121,8 @@ void target_finish(struct target *target)
 		if (target->resolved != target->framebuffer)
 			glDeleteFramebuffers(1, &target->resolved);
 		glDeleteFramebuffers(1, &target->framebuffer);
-		glDeleteRenderbuffers(3, target->buffers);
+		glDeleteRenderbuffers(2, target->buffers);
+		glDeleteTextures(1, &target->texture);
 	}
 	*target = (struct target){0};
 }

@@ -14,7 +14,8 @@ struct target {
 	uint32_t width, height;
 	uint32_t framebuffer; /**< GL name, to draw into */
 	uint32_t resolved;    /**< GL name, to read from; the same with one sample */
-	uint32_t buffers[3];  /**< renderbuffers: color, depth, resolved color or 0 */
+	uint32_t texture;     /**< GL name: color of `resolved` */
+	uint32_t buffers[2];  /**< renderbuffers: depth, color of several samples or 0 */
 };
 
 /** Makes one in the current context, with `samples` or as many as the driver has.
@@ -22,7 +23,11 @@ struct target {
 bool target_init(struct target *target, enum target_kind kind, uint32_t width, uint32_t height,
 	uint32_t samples, struct sm_error *error);
 
-/** Reads width x height pixels as R,G,B,A bytes, rows from the bottom, when all is drawn. */
+/** When all is drawn: brings the samples together, so that the texture is the picture. Nothing with
+ *  one sample. */
+void target_resolve(const struct target *target);
+
+/** Reads width x height pixels as R,G,B,A bytes, rows from the bottom, when all is resolved. */
 bool target_read(const struct target *target, uint8_t *rgba, struct sm_error *error);
 
 /** Deletes what init, complete or not, has made. */

@@ -85,6 +85,15 @@ void gl_delete_program(struct gl *gl, GLuint *name)
 	*name = 0;
 }
 
+bool gl_framebuffer_is_srgb(struct gl *gl, uint32_t framebuffer)
+{
+	GLint encoding = GL_LINEAR;
+	gl->GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER,
+		framebuffer != 0 ? GL_COLOR_ATTACHMENT0 : GL_BACK,
+		GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
+	return encoding == GL_SRGB;
+}
+
 const char *gl_take_error(struct gl *gl)
 {
 	/* A lost context may report errors for ever: a few are enough. */

@@ -126,6 +126,9 @@ void gl_delete_framebuffer(struct gl *gl, GLuint *name);
 GLuint gl_create_program(struct gl *gl);
 void gl_delete_program(struct gl *gl, GLuint *name);
 
+/** Whether the framebuffer, which is bound under this name, encodes what is written as sRGB. */
+bool gl_framebuffer_is_srgb(struct gl *gl, uint32_t framebuffer);
+
 /** The oldest error since the last call, named, or NULL; the others are forgotten. */
 const char *gl_take_error(struct gl *gl);
 

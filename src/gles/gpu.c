@@ -112,3 +112,34 @@ void gpu_bind_texture(struct gpu *gpu, enum texture_unit unit, GLuint texture)
 	gpu->gl.ActiveTexture(GL_TEXTURE0 + unit);
 	gpu->gl.BindTexture(GL_TEXTURE_2D, texture);
 }
+
+void gpu_fill_viewport(struct gpu *gpu, GLuint texture)
+{
+	gpu->gl.Disable(GL_BLEND);
+	gpu->gl.Disable(GL_DEPTH_TEST);
+	gpu_bind_texture(gpu, UNIT_BASE, texture);
+	gpu->gl.BindVertexArray(0);
+	gpu->gl.DrawArrays(GL_TRIANGLES, 0, 3);
+	gpu->stats.draw_calls++;
+}
+
+void gpu_restore_state(struct gpu *gpu)
+{
+	struct gl *gl = &gpu->gl;
+	gl->Disable(GL_BLEND);
+	gl->BlendFunc(GL_ONE, GL_ZERO);
+	gl->Disable(GL_CULL_FACE);
+	gl->FrontFace(GL_CCW);
+	gl->Disable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_LESS);
+	gl->DepthMask(GL_TRUE);
+	gl->BindVertexArray(0);
+	gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+	gl->UseProgram(0);
+	for (GLuint unit = 0; unit < UNIT_COUNT; unit++) {
+		gl->ActiveTexture(GL_TEXTURE0 + unit);
+		gl->BindTexture(GL_TEXTURE_2D, 0);
+		gl->BindSampler(unit, 0);
+	}
+	gl->ActiveTexture(GL_TEXTURE0);
+}

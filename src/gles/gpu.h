@@ -44,4 +44,11 @@ bool gpu_draw_quads(struct gpu *gpu, size_t quad_count, struct sm_error *error);
 
 void gpu_bind_texture(struct gpu *gpu, enum texture_unit unit, GLuint texture);
 
+/** Draws one triangle over the whole viewport, with the program in use (copy.vert) and `texture`
+ *  as its base texture. */
+void gpu_fill_viewport(struct gpu *gpu, GLuint texture);
+
+/** Sets GL's state to what sm_renderer_draw() promises to leave. */
+void gpu_restore_state(struct gpu *gpu);
+
 #endif

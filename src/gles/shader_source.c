@@ -24,6 +24,7 @@ static const struct {
 	FLAG(TEXTURED),
 	FLAG(VISIBILITY),
 	FLAG(ENCODE_SRGB),
+	FLAG(DITHER),
 #undef FLAG
 };
 
@@ -78,6 +79,12 @@ static const struct {
 		{
 			.name = "copy",
 			.parts = {{{"copy.vert"}}, {{"common_srgb.glsl"}, {"copy.frag"}}},
+		},
+	[PROGRAM_SCREEN] =
+		{
+			.name = "screen",
+			.flags = FLAG_DITHER,
+			.parts = {{{"copy.vert"}}, {{"screen.frag"}}},
 		},
 };
 

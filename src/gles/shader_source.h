@@ -12,7 +12,14 @@ struct shader_file {
 };
 extern const struct shader_file shader_files[];
 
-enum program_kind { PROGRAM_DEPTH_MAP, PROGRAM_FIN, PROGRAM_SURFACE, PROGRAM_COPY, PROGRAM_KINDS };
+enum program_kind {
+	PROGRAM_DEPTH_MAP,
+	PROGRAM_FIN,
+	PROGRAM_SURFACE,
+	PROGRAM_COPY,
+	PROGRAM_SCREEN,
+	PROGRAM_KINDS,
+};
 
 /** What a variant switches on: each bit is a #define of the name behind it (flag_names in
  *  shader_source.c). */
@@ -29,7 +36,8 @@ enum program_flag {
 	FLAG_TEXTURED = 1 << 9,
 	FLAG_VISIBILITY = 1 << 10,
 	FLAG_ENCODE_SRGB = 1 << 11,
-	FLAG_END = 1 << 12,
+	FLAG_DITHER = 1 << 12,
+	FLAG_END = 1 << 13,
 };
 
 struct program_key {

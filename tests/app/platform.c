@@ -103,6 +103,7 @@ static void assert_reads_back(enum target_kind kind, uint32_t samples)
 	glClearColor(1, 0, .5f, 1);
 	glClear(GL_COLOR_BUFFER_BIT);
 	glDisable(GL_SCISSOR_TEST);
+	target_resolve(&target);
 	assert_true(target_read(&target, rgba, NULL));
 	for (size_t i = 0; i < 20; i++) {
 		/* 0.5 is the byte 188 in sRGB (IEC 61966-2-1), 128 as it stands. */

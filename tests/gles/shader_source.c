@@ -24,6 +24,7 @@ static const struct {
 	{FLAG_TEXTURED, "TEXTURED"},
 	{FLAG_VISIBILITY, "VISIBILITY"},
 	{FLAG_ENCODE_SRGB, "ENCODE_SRGB"},
+	{FLAG_DITHER, "DITHER"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -89,6 +90,7 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	}
 	assert_int_equal(counts[PROGRAM_DEPTH_MAP], 1);
 	assert_int_equal(counts[PROGRAM_COPY], 1);
+	assert_int_equal(counts[PROGRAM_SCREEN], 2);
 	/* With and without a receiver map: linear, sinusoid, depth only. */
 	assert_int_equal(counts[PROGRAM_FIN], 6);
 	/* No light, no shadow, hard, and smoothie with or without its own depth and gathering; each
@@ -124,6 +126,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 	static const struct program_key keys[] = {
 		{PROGRAM_DEPTH_MAP, FLAG_LIT},
 		{PROGRAM_COPY, FLAG_ENCODE_SRGB},
+		{PROGRAM_COPY, FLAG_DITHER},
 		{PROGRAM_FIN, FLAG_LIT},
 		{PROGRAM_FIN, FLAG_DEPTH_ONLY | FLAG_SINUSOID}, /* alpha is not written */
 		{PROGRAM_SURFACE, FLAG_SINUSOID},

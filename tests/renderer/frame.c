@@ -332,6 +332,7 @@ static void assert_gl_is_as_promised(const struct canvas *canvas)
 	} defaults[] = {
 		{GL_DEPTH_TEST, GL_FALSE},
 		{GL_BLEND, GL_FALSE},
+		{GL_DITHER, GL_TRUE},
 		{GL_CULL_FACE, GL_FALSE},
 		{GL_DEPTH_FUNC, GL_LESS},
 		{GL_DEPTH_WRITEMASK, GL_TRUE},
@@ -397,6 +398,22 @@ static void gl_is_left_at_its_defaults(void **state)
 		}
 		canvas_finish(&canvas);
 	}
+}
+
+static void so_it_is_after_a_copy_to_a_screen(void **state)
+{
+	struct rig *rig = *state;
+	struct canvas canvas;
+	GLuint texture;
+	glGenTextures(1, &texture);
+	glBindTexture(GL_TEXTURE_2D, texture);
+	glTexStorage2D(GL_TEXTURE_2D, 1, GL_SRGB8_ALPHA8, SIZE, SIZE / 2);
+	canvas_init(&canvas, GL_RGB565, SIZE / 2, SIZE);
+	struct sm_screen screen = {texture, SIZE, SIZE / 2, canvas.framebuffer, 90, {5, 6, 5}};
+	assert_true(sm_renderer_copy_to_screen(rig->renderer, &screen, NULL));
+	assert_gl_is_as_promised(&canvas);
+	canvas_finish(&canvas);
+	glDeleteTextures(1, &texture);
 }
 
 /* Floor, ceiling and a small board under the lamp, all one mesh: the lamp is inside its box, with
@@ -474,6 +491,7 @@ int main(void)
 		rig_test(without_a_light_there_is_a_picture_and_no_visibility),
 		rig_test(cameras_that_see_nothing_are_refused),
 		rig_test(gl_is_left_at_its_defaults),
+		rig_test(so_it_is_after_a_copy_to_a_screen),
 		rig_test(a_lamp_in_a_room_sees_what_is_near),
 		rig_test(the_counters_are_those_of_the_last_frame),
 	};
