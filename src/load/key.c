@@ -63,6 +63,12 @@ static const struct key keys[] = {
 		.initial = "0.11 0.10 0.09", .min = 0, .max = 1},
 	{SECTION_ENVIRONMENT, "background", KEY_COLOR, offsetof(struct sm_environment, background),
 		.initial = "0.24 0.29 0.35", .min = 0, .max = 1},
+	{SECTION_MOTION, "turns", KEY_WORD, offsetof(struct plan_motion, turns),
+		.initial = "camera", .words = "camera|light"},
+	{SECTION_MOTION, "light", KEY_TEXT, offsetof(struct plan_motion, light),
+		.follows = "the first light"},
+	{SECTION_MOTION, "period", KEY_PERIOD, offsetof(struct plan_motion, period), .initial = "0",
+		.min = .1, .max = 1e6},
 	{SECTION_SHADOW, "technique", KEY_TEXT, offsetof(struct plan_shadow, technique),
 		.follows = "smoothie"},
 	{SECTION_SHADOW, "map", KEY_COUNT, offsetof(struct plan_shadow, map), .follows = "1024",
@@ -89,6 +95,7 @@ static const struct {
 	[SECTION_OBJECT] = {"object", true},
 	[SECTION_GROUND] = {"ground"},
 	[SECTION_ENVIRONMENT] = {"environment"},
+	[SECTION_MOTION] = {"motion"},
 	[SECTION_SHADOW] = {"shadow"},
 	[SECTION_OUTPUT] = {"output"},
 };
@@ -147,6 +154,10 @@ void key_describe(const struct key *key, char *text, size_t size)
 		break;
 	case KEY_COUNT:
 		snprintf(text, size, "a whole number from %.7g to %.7g", key->min, key->max);
+		break;
+	case KEY_PERIOD:
+		snprintf(text, size, "0, or a number from %.7g to %.7g with either sign", key->min,
+			key->max);
 		break;
 	case KEY_VECTOR:
 		snprintf(text, size, "three numbers from %.7g to %.7g", key->min, key->max);

@@ -11,6 +11,7 @@ enum section {
 	SECTION_OBJECT, /* [object NAME] */
 	SECTION_GROUND,
 	SECTION_ENVIRONMENT,
+	SECTION_MOTION,
 	SECTION_SHADOW,
 	SECTION_OUTPUT,
 	SECTION_COUNT,
@@ -19,6 +20,7 @@ enum section {
 enum key_type {
 	KEY_NUMBER, /* float */
 	KEY_COUNT,  /* uint32_t */
+	KEY_PERIOD, /* double: 0, or in the range with either sign */
 	KEY_VECTOR, /* float[3] */
 	KEY_SCALE,  /* float[3]; one number stands for three */
 	KEY_COLOR,  /* float[3], linear */

@@ -92,9 +92,19 @@ static bool parse_word(const char *words, const char *text, unsigned *index)
 	return false;
 }
 
+static bool parse_period(const struct key *key, const char *text, double *period)
+{
+	char *end;
+	double value = strtod(text, &end), size = fabs(value);
+	*period = value;
+	/* Written so that NaN fails. */
+	return end != text && *end == '\0' && (size == 0 || (size >= key->min && size <= key->max));
+}
+
 /** Room for any value but a text. */
 union value {
 	float numbers[3];
+	double period;
 	uint32_t counts[2];
 	unsigned word;
 	bool yes;
@@ -117,6 +127,8 @@ static size_t parse_value(const struct key *key, const char *text, union value *
 	case KEY_COUNT:
 		ok = parse_count(key, &text, &value->counts[0]) && *text == '\0';
 		return ok ? sizeof(uint32_t) : 0;
+	case KEY_PERIOD:
+		return parse_period(key, text, &value->period) ? sizeof(double) : 0;
 	case KEY_SIZE:
 		return parse_size(key, text, value->counts) ? sizeof(value->counts) : 0;
 	case KEY_WORD:

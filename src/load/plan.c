@@ -25,6 +25,7 @@ void plan_finish(struct plan *plan)
 	}
 	free(plan->lights);
 	free(plan->objects);
+	free(plan->motion.light);
 	free(plan->shadow.technique);
 	*plan = (struct plan){0};
 }
@@ -63,6 +64,7 @@ struct plan_section plan_get(struct plan *plan, enum section section, size_t ind
 		[SECTION_CAMERA] = &plan->camera,
 		[SECTION_GROUND] = &plan->ground,
 		[SECTION_ENVIRONMENT] = &plan->environment,
+		[SECTION_MOTION] = &plan->motion,
 		[SECTION_SHADOW] = &plan->shadow,
 		[SECTION_OUTPUT] = &plan->output,
 	};
@@ -87,6 +89,23 @@ size_t plan_count(const struct plan *plan, enum section section)
 const char *plan_name(const struct plan *plan, enum section section, size_t index)
 {
 	return section == SECTION_LIGHT ? plan->lights[index].name : plan->objects[index].name;
+}
+
+size_t plan_find(const struct plan *plan, enum section section, const char *name)
+{
+	for (size_t i = 0; i < plan_count(plan, section); i++)
+		if (strcmp(plan_name(plan, section, i), name) == 0)
+			return i;
+	return SIZE_MAX;
+}
+
+void plan_list_names(const struct plan *plan, enum section section, char *text, size_t size)
+{
+	size_t count = plan_count(plan, section);
+	size_t used = (size_t)snprintf(text, size, "%s", count > 0 ? "" : "none");
+	for (size_t i = 0; i < count && used < size; i++)
+		used += (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? ", " : "",
+			plan_name(plan, section, i));
 }
 
 /** "it has type, position, ..." */

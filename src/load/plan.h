@@ -8,6 +8,7 @@
 
 enum plan_up { PLAN_UP_AUTO, PLAN_UP_Y, PLAN_UP_Z };
 enum plan_show { PLAN_SHOW_AUTO, PLAN_SHOW_YES, PLAN_SHOW_NO };
+enum plan_turns { PLAN_TURNS_CAMERA, PLAN_TURNS_LIGHT };
 enum plan_samples { PLAN_SAMPLES_1, PLAN_SAMPLES_4 };
 
 struct plan_light {
@@ -28,6 +29,12 @@ struct plan_object {
 struct plan_ground {
 	enum plan_show show;
 	float height, size, color[3];
+};
+
+struct plan_motion {
+	enum plan_turns turns;
+	char *light;   /* owned; NULL: the first */
+	double period; /* 0: stands still */
 };
 
 struct plan_shadow {
@@ -55,6 +62,7 @@ struct plan {
 	size_t object_count, object_capacity;
 	struct plan_ground ground;
 	struct sm_environment environment;
+	struct plan_motion motion;
 	struct plan_shadow shadow;
 	struct plan_output output;
 	uint64_t given[SECTION_COUNT];
@@ -81,6 +89,10 @@ struct plan_section plan_get(struct plan *plan, enum section section, size_t ind
 size_t plan_count(const struct plan *plan, enum section section);
 /** Name of a light or object. */
 const char *plan_name(const struct plan *plan, enum section section, size_t index);
+/** Index of the first light or object of that name, or SIZE_MAX. */
+size_t plan_find(const struct plan *plan, enum section section, const char *name);
+/** Writes the names of all lights or objects: "key, fill", or "none". */
+void plan_list_names(const struct plan *plan, enum section section, char *text, size_t size);
 
 /**
  * Sets a key of an open section from text.

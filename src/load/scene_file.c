@@ -46,16 +46,14 @@ static void fail_here(struct reader *reader, const char *format, ...)
 static bool open_named(struct reader *reader, enum section section, const char *name)
 {
 	struct plan *plan = reader->plan;
-	size_t index = 0, count = plan_count(plan, section);
-	while (index < count && strcmp(plan_name(plan, section, index), name) != 0)
-		index++;
-	if (index == count &&
+	size_t count = plan_count(plan, section), found = plan_find(plan, section, name);
+	if (found == SIZE_MAX &&
 		(section == SECTION_LIGHT ? plan_add_light(plan, name, reader->error) == NULL
 					  : plan_add_object(plan, name, reader->error) == NULL)) {
 		reader->failed = true;
 		return false;
 	}
-	reader->open = plan_get(plan, section, index);
+	reader->open = plan_get(plan, section, found != SIZE_MAX ? found : count);
 	return true;
 }
 
@@ -85,7 +83,7 @@ static void open_section(struct reader *reader, char *heading)
 	if (section == SECTION_COUNT)
 		fail_here(reader,
 			"no section [%.40s]; there are [camera], [light NAME], [object NAME], "
-			"[ground], [environment], [shadow], [output]",
+			"[ground], [environment], [motion], [shadow], [output]",
 			word);
 	else if (section_is_named(section) && *name == '\0')
 		fail_here(reader, "[%s] needs a name, as in [%s NAME]", word, word);

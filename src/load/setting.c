@@ -43,7 +43,7 @@ static bool setting_init(struct setting *setting, const char *source, struct sm_
 	if (setting->section == SECTION_COUNT)
 		return error_set(error, SM_ERROR_INPUT,
 			"%s: no section \"%.40s\"; there are camera, light, object, ground, "
-			"environment, shadow, output",
+			"environment, motion, shadow, output",
 			setting->place, setting->text);
 	if (name != NULL && !section_is_named(setting->section))
 		return error_set(error, SM_ERROR_INPUT, "%s: %s takes no name", setting->place,
@@ -54,11 +54,8 @@ static bool setting_init(struct setting *setting, const char *source, struct sm_
 static bool report_no_match(
 	const struct setting *setting, const struct plan *plan, struct sm_error *error)
 {
-	char known[200] = "none";
-	size_t used = 0;
-	for (size_t i = 0; i < plan_count(plan, setting->section) && used < sizeof(known); i++)
-		used += (size_t)snprintf(known + used, sizeof(known) - used, "%s%s",
-			i > 0 ? ", " : "", plan_name(plan, setting->section, i));
+	char known[200];
+	plan_list_names(plan, setting->section, known, sizeof(known));
 	return error_set(error, SM_ERROR_INPUT, "%s: no such %s; known: %s", setting->place,
 		section_name(setting->section), known);
 }

@@ -4,6 +4,7 @@
 #include "load/builtin.h"
 #include "load/defaults.h"
 #include "load/import.h"
+#include "load/motion.h"
 #include "load/scene_file.h"
 #include "load/setting.h"
 #include <cglm/cglm.h>
@@ -323,6 +324,38 @@ static bool check_camera(const struct sm_camera *camera, const char *source, str
 	       error_set(error, SM_ERROR_INPUT, "%s: [camera] %s", source, problem);
 }
 
+/** What moves, of a plan whose camera and lights are complete. */
+static bool resolve_motion(
+	const struct builder *builder, struct stage_motion *motion, struct sm_error *error)
+{
+	const struct plan *plan = &builder->plan;
+	bool of_light = plan->motion.turns == PLAN_TURNS_LIGHT;
+	const char *name = plan->motion.light;
+	if (name != NULL && !of_light)
+		return error_set(error, SM_ERROR_INPUT,
+			"%s: [motion] light is given, but turns is camera", builder->source);
+	size_t light = name != NULL ? plan_find(plan, SECTION_LIGHT, name) : 0;
+	if (light == SIZE_MAX) {
+		char known[200];
+		plan_list_names(plan, SECTION_LIGHT, known, sizeof(known));
+		return error_set(error, SM_ERROR_INPUT,
+			"%s: [motion] no light is called \"%.40s\"; known: %s", builder->source,
+			name, known);
+	}
+	*motion = (struct stage_motion){
+		.part = plan->motion.period == 0 ? STAGE_NOTHING
+			: of_light               ? STAGE_LIGHT
+						 : STAGE_CAMERA,
+		.period = plan->motion.period,
+		.camera = plan->camera,
+		.light = (uint32_t)light,
+		.light_at_rest = plan->lights[light].desc,
+	};
+	/* The scene would copy it each time, and the plan's does not last. */
+	motion->light_at_rest.name = NULL;
+	return true;
+}
+
 /** Hands the results over to the stage. */
 static bool finish_stage(struct builder *builder, struct stage *stage, struct sm_error *error)
 {
@@ -330,11 +363,14 @@ static bool finish_stage(struct builder *builder, struct stage *stage, struct sm
 	const struct plan_shadow *shadow = &plan->shadow;
 	float aspect = (float)plan->output.width / (float)plan->output.height;
 	frame_complete_camera(&builder->frame, &plan->lights[0].desc, aspect, &plan->camera);
-	if (!check_camera(&plan->camera, builder->source, error))
+	struct stage_motion motion;
+	if (!check_camera(&plan->camera, builder->source, error) ||
+		!resolve_motion(builder, &motion, error))
 		return false;
 	*stage = (struct stage){
 		.scene = builder->scene,
 		.camera = plan->camera,
+		.motion = motion,
 		.shadow = {.technique = shadow->technique,
 			.map_size = shadow->map,
 			.width = isnan(shadow->width) ? 0 : shadow->width,
@@ -381,4 +417,27 @@ void stage_finish(struct stage *stage)
 	sm_scene_destroy(stage->scene);
 	free(stage->technique);
 	*stage = (struct stage){0};
+}
+
+bool stage_moves(const struct stage *stage)
+{
+	return stage->motion.part != STAGE_NOTHING;
+}
+
+bool stage_set_time(struct stage *stage, double seconds, struct sm_error *error)
+{
+	const struct stage_motion *motion = &stage->motion;
+	double phase = motion_phase(seconds, motion->period);
+	struct sm_light_desc light;
+	switch (motion->part) {
+	case STAGE_NOTHING:
+		break;
+	case STAGE_CAMERA:
+		motion_turn_camera(phase, &motion->camera, &stage->camera);
+		break;
+	case STAGE_LIGHT:
+		motion_turn_light(phase, &motion->light_at_rest, &light);
+		return sm_scene_set_light(stage->scene, motion->light, &light, error);
+	}
+	return true;
 }

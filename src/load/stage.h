@@ -10,10 +10,23 @@ struct stage_output {
 	uint32_t samples;       /**< of multisampling: 1 or 4 */
 };
 
+/** What of a stage goes round. */
+enum stage_part { STAGE_NOTHING, STAGE_CAMERA, STAGE_LIGHT };
+
+/** How a part goes round its target, and where it is at time 0. */
+struct stage_motion {
+	enum stage_part part;
+	double period;           /**< seconds a turn; negative: clockwise as seen from above */
+	struct sm_camera camera; /**< at time 0 */
+	uint32_t light;          /**< the one that moves */
+	struct sm_light_desc light_at_rest; /**< at time 0; without its name */
+};
+
 /** All that the SCENE of a command line says, with what it leaves open filled in. */
 struct stage {
 	struct sm_scene *scene;
 	struct sm_camera camera;
+	struct stage_motion motion;
 	struct sm_shadow_options shadow; /**< zero where nothing was said */
 	struct stage_output output;
 	char *technique; /**< owned; shadow.technique points here */
@@ -36,5 +49,11 @@ struct stage {
 bool stage_load(struct stage *stage, const char *source, const char *const *settings,
 	size_t setting_count, struct sm_error *error);
 void stage_finish(struct stage *stage);
+
+/** Whether its picture changes with time. */
+bool stage_moves(const struct stage *stage);
+/** Puts the part that moves where it is at a time, which is finite; at 0 everything is as it was
+ *  loaded, bit for bit. Fails (INPUT) where rounding puts a light onto its target. */
+bool stage_set_time(struct stage *stage, double seconds, struct sm_error *error);
 
 #endif

@@ -44,6 +44,9 @@ static void get_numbers(struct plan *plan, enum section section, const char *nam
 		memcpy(counts, field, sizeof(*counts));
 		values[0] = (float)counts[0];
 		break;
+	case KEY_PERIOD:
+		values[0] = (float)*(const double *)field;
+		break;
 	case KEY_YES:
 		values[0] = *(const bool *)field;
 		break;
@@ -82,6 +85,12 @@ static void good_values_are_taken(void **state)
 		{"[object a]\ncasts = no\n", SECTION_OBJECT, "casts", {0}},
 		{"[object a]\nup = z\n", SECTION_OBJECT, "up", {PLAN_UP_Z}},
 		{"[ground]\nshow = no\n", SECTION_GROUND, "show", {PLAN_SHOW_NO}},
+		{"[motion]\n", SECTION_MOTION, "period", {0}},
+		{"[motion]\nperiod = -12.5\n", SECTION_MOTION, "period", {-12.5f}},
+		{"[motion]\nperiod = .1\n", SECTION_MOTION, "period", {.1f}},
+		{"[motion]\nperiod = -1e6\n", SECTION_MOTION, "period", {-1e6f}},
+		{"[motion]\nperiod = 0\n", SECTION_MOTION, "period", {0}},
+		{"[motion]\nturns = light\n", SECTION_MOTION, "turns", {PLAN_TURNS_LIGHT}},
 		{"[shadow]\nmap = 2048\n", SECTION_SHADOW, "map", {2048}},
 		{"[shadow]\nfalloff = sinusoid\n", SECTION_SHADOW, "falloff",
 			{SM_FALLOFF_SINUSOID}},
@@ -118,7 +127,7 @@ static void bad_input_is_named_with_its_place(void **state)
 	} cases[] = {
 		{"[lihgt a]\n",
 			":1: no section [lihgt]; there are [camera], [light NAME], [object NAME], "
-			"[ground], [environment], [shadow], [output]"},
+			"[ground], [environment], [motion], [shadow], [output]"},
 		{"\n[light]\n", ":2: [light] needs a name, as in [light NAME]"},
 		{"[camera x]\n", ":1: [camera] takes no name, but has \"x\""},
 		{"[camera\n", ":1: a ] is missing after [camera"},
@@ -157,6 +166,22 @@ static void bad_input_is_named_with_its_place(void **state)
 		{"[ground]\nshow = ye\n", ":2: show cannot be \"ye\"; it takes auto, yes or no"},
 		{"[object a]\ncasts = 1\n", ":2: casts cannot be \"1\"; it takes yes or no"},
 		{"[object a]\nmodel =\n", ":2: model cannot be \"\"; it takes text"},
+		{"[motion a]\n", ":1: [motion] takes no name, but has \"a\""},
+		{"[motion]\nspeed = 1\n",
+			":2: [motion] has no key \"speed\"; it has turns, light, period"},
+		{"[motion]\nturns = object\n",
+			":2: turns cannot be \"object\"; it takes camera or light"},
+		{"[motion]\nperiod = .0999\n", ":2: period cannot be \".0999\"; it takes 0, or a "
+					       "number from 0.1 to 1000000 with either sign"},
+		{"[motion]\nperiod = -1000001\n",
+			":2: period cannot be \"-1000001\"; it takes 0, or a "
+			"number from 0.1 to 1000000 with either sign"},
+		{"[motion]\nperiod = nan\n", ":2: period cannot be \"nan\"; it takes 0, or a "
+					     "number from 0.1 to 1000000 with either sign"},
+		{"[motion]\nperiod =\n", ":2: period cannot be \"\"; it takes 0, or a "
+					 "number from 0.1 to 1000000 with either sign"},
+		{"[motion]\nperiod = 4 s\n", ":2: period cannot be \"4 s\"; it takes 0, or a "
+					     "number from 0.1 to 1000000 with either sign"},
 		{"[shadow]\nmap = 1024.5\n",
 			":2: map cannot be \"1024.5\"; it takes a whole number from 16 to 16384"},
 		{"[shadow]\nmap = 4294968320\n", ":2: map cannot be \"4294968320\"; it takes a "
@@ -288,7 +313,7 @@ static void bad_settings_are_named(void **state)
 		{"camera.fov", "--set camera.fov: not of the form section.key=value or \"section "
 			       "NAME.key=value\""},
 		{"cam.fov=3", "--set cam.fov: no section \"cam\"; there are camera, light, object, "
-			      "ground, environment, shadow, output"},
+			      "ground, environment, motion, shadow, output"},
 		{"camera x.fov=3", "--set camera x.fov: camera takes no name"},
 		{"camera.zoom=3", "--set camera.zoom: [camera] has no key \"zoom\"; it has eye, "
 				  "target, up, fov, near, far"},

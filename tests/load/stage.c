@@ -287,6 +287,97 @@ static void lights_of_a_model_are_scaled_to_one(void **state)
 	stage_finish(&stage);
 }
 
+static void scenes_stand_still_by_default(void **state)
+{
+	struct stage stage;
+	(void)state;
+	load(&stage, "builtin:primitives", NULL);
+	struct sm_camera camera = stage.camera;
+	assert_false(stage_moves(&stage));
+	assert_int_equal(stage.motion.part, STAGE_NOTHING);
+	assert_true(stage_set_time(&stage, 1.5, NULL));
+	assert_memory_equal(&stage.camera, &camera, sizeof(camera));
+	stage_finish(&stage);
+}
+
+/* A whole turn later, and at time 0 from anywhere, each bit is that of the scene at rest. */
+static void the_camera_goes_round_its_target(void **state)
+{
+	struct stage stage;
+	(void)state;
+	load(&stage, "builtin:cube", NULL);
+	struct sm_camera rest = stage.camera;
+	stage_finish(&stage);
+	load(&stage, "builtin:cube", "motion.period=-.4");
+	assert_true(stage_moves(&stage));
+	assert_int_equal(stage.motion.part, STAGE_CAMERA);
+	assert_memory_equal(&stage.camera, &rest, sizeof(rest));
+	assert_true(stage_set_time(&stage, .1, NULL));
+	check_vector(stage.camera.eye, rest.target[0] - (rest.eye[2] - rest.target[2]), rest.eye[1],
+		rest.target[2] + (rest.eye[0] - rest.target[0]));
+	check_vector(stage.camera.up, 0, 1, 0);
+	for (int turn = 3; turn >= 0; turn--) {
+		assert_true(stage_set_time(&stage, turn * .4 + .3, NULL));
+		assert_true(stage_set_time(&stage, turn / 2 * .8, NULL));
+		assert_memory_equal(&stage.camera, &rest, sizeof(rest));
+	}
+	stage_finish(&stage);
+}
+
+static const char two_lights[] = "[object a]\nmodel = builtin:cube\n"
+				 "[light sun]\ntype = directional\nposition = 0 9 1\n"
+				 "target = 0 0 0\n"
+				 "[light lamp]\nposition = 3 4 2\ntarget = 1 0 2\n"
+				 "[motion]\nturns = light\nperiod = 8\n";
+
+static void a_light_goes_round_its_target(void **state)
+{
+	struct stage stage;
+	(void)state;
+	const char *path = folder_write_text("lights.ini", two_lights);
+	load(&stage, path, NULL);
+	struct light *lights = stage.scene->lights;
+	struct sm_camera camera = stage.camera;
+	struct sm_light_desc sun = lights[0].desc;
+	assert_int_equal(stage.motion.part, STAGE_LIGHT);
+	assert_int_equal(stage.motion.light, 0);
+	assert_true(stage_set_time(&stage, 2, NULL));
+	check_vector(lights[0].desc.position, 1, 9, 0);
+	check_vector(lights[1].desc.position, 3, 4, 2);
+	assert_true(stage_set_time(&stage, 16, NULL));
+	assert_memory_equal(lights[0].desc.position, sun.position, sizeof(sun.position));
+	assert_int_equal(lights[0].desc.type, SM_LIGHT_DIRECTIONAL);
+	assert_float_equal(lights[0].desc.radius, sun.radius, 0);
+	assert_memory_equal(&stage.camera, &camera, sizeof(camera));
+	stage_finish(&stage);
+
+	load(&stage, path, "motion.light=lamp");
+	lights = stage.scene->lights;
+	assert_int_equal(stage.motion.light, 1);
+	assert_true(stage_set_time(&stage, 2, NULL));
+	check_vector(lights[0].desc.position, 0, 9, 1);
+	check_vector(lights[1].desc.position, 1, 4, 0);
+	check_vector(lights[1].desc.target, 1, 0, 2);
+	stage_finish(&stage);
+}
+
+/* A unit in the last place of 1e6 is 1/16. */
+static void a_light_that_rounding_puts_on_its_target_is_an_error(void **state)
+{
+	struct stage stage;
+	struct sm_error error = {0};
+	(void)state;
+	load(&stage,
+		folder_write_text("far.ini", "[object a]\nmodel = builtin:cube\n"
+					     "[light a]\nposition = 1e6 0 1.001\ntarget = 1e6 0 1\n"
+					     "[motion]\nturns = light\nperiod = 4\n"),
+		NULL);
+	assert_false(stage_set_time(&stage, 1, &error));
+	assert_int_equal(error.status, SM_ERROR_INPUT);
+	assert_true(stage_set_time(&stage, 0, NULL));
+	stage_finish(&stage);
+}
+
 static void scenes_that_make_no_sense_are_refused(void **state)
 {
 	static const struct {
@@ -302,6 +393,13 @@ static void scenes_that_make_no_sense_are_refused(void **state)
 			": [camera] near and far go together"},
 		{"[object a]\nmodel = builtin:cube\n[camera]\nnear = 2\nfar = 2\n",
 			": [camera] near is not less than far"},
+		{"[object a]\nmodel = builtin:cube\n[light a]\n[motion]\nlight = a\nperiod = 4\n",
+			": [motion] light is given, but turns is camera"},
+		{"[object a]\nmodel = builtin:cube\n[light sun]\n[light lamp]\n"
+		 "[motion]\nturns = light\nlight = lmap\n",
+			": [motion] no light is called \"lmap\"; known: sun, lamp"},
+		{"[object a]\nmodel = builtin:cube\n[motion]\nturns = light\nlight = sun\n",
+			": [motion] no light is called \"sun\"; known: key"},
 	};
 	(void)state;
 	for (size_t i = 0; i < sizeof(cases) / sizeof(*cases); i++) {
@@ -343,6 +441,10 @@ int main(void)
 		cmocka_unit_test(a_scene_file_becomes_a_scene),
 		cmocka_unit_test(rotations_follow_one_another),
 		cmocka_unit_test(lights_of_a_model_are_scaled_to_one),
+		cmocka_unit_test(scenes_stand_still_by_default),
+		cmocka_unit_test(the_camera_goes_round_its_target),
+		cmocka_unit_test(a_light_goes_round_its_target),
+		cmocka_unit_test(a_light_that_rounding_puts_on_its_target_is_an_error),
 		cmocka_unit_test(scenes_that_make_no_sense_are_refused),
 		cmocka_unit_test(the_configs_load),
 	};
