@@ -3,7 +3,6 @@
 #include "base/array.h"
 #include "scene/camera.h"
 #include "surface_pass.h"
-#include <stdlib.h>
 
 static float encode_srgb(float c)
 {
@@ -38,25 +37,37 @@ static void set_pass_state(struct gl *gl, bool first)
 	}
 }
 
-/* Shadow maps of lights first .. last - 1, then their surfaces, one light after the other. The
- * maps come first so that a tiled GPU need not store and load the picture between two lights. */
-static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last,
-	struct light_frame *frames, void **shadows, GLuint framebuffer, const struct sm_view *view,
-	struct sm_error *error)
+/* Shadow maps of lights first .. last - 1, into renderer->lights. */
+static bool draw_shadows(struct sm_renderer *renderer, const struct sm_scene *scene, uint32_t first,
+	uint32_t last, struct sm_error *error)
 {
-	struct sm_renderer *renderer = pass->renderer;
-	struct gl *gl = &renderer->gpu.gl;
-	for (uint32_t i = first; i < last; i++) {
-		light_frame_init(&frames[i - first], &pass->scene->lights[i].desc, pass->scene);
-		shadows[i - first] = shadow_set_prepare(&renderer->shadows, &renderer->gpu,
-			pass->scene, i - first, &frames[i - first], error);
-		if (shadows[i - first] == NULL)
+	if (!array_reserve((void **)&renderer->lights, &renderer->light_capacity, last - first,
+		    sizeof(*renderer->lights)))
+		return error_no_memory(error);
+	for (uint32_t i = 0; i < last - first; i++) {
+		struct shadowed_light *light = &renderer->lights[i];
+		light_frame_init(&light->frame, &scene->lights[first + i].desc, scene);
+		light->shadow = shadow_set_prepare(
+			&renderer->shadows, &renderer->gpu, scene, i, &light->frame, error);
+		if (light->shadow == NULL)
 			return false;
 		renderer->gpu.stats.lights++;
 	}
+	return true;
+}
+
+/* Shadow maps of lights first .. last - 1, then their surfaces, one light after the other. The
+ * maps come first so that a tiled GPU need not store and load the picture between two lights. */
+static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last,
+	GLuint framebuffer, struct sm_error *error)
+{
+	struct sm_renderer *renderer = pass->renderer;
+	struct gl *gl = &renderer->gpu.gl;
+	if (!draw_shadows(renderer, pass->scene, first, last, error))
+		return false;
 	GLint samples = 0;
 	gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-	gl->Viewport(0, 0, (GLsizei)view->width, (GLsizei)view->height);
+	gl->Viewport(0, 0, (GLsizei)pass->width, (GLsizei)pass->height);
 	gl->GetIntegerv(GL_SAMPLES, &samples);
 	pass->multisampled = samples > 1;
 	clear(gl, pass->scene, pass->flags);
@@ -66,30 +77,14 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 		return surface_pass_draw(pass, error);
 	for (uint32_t i = first; i < last; i++) {
 		pass->light = &pass->scene->lights[i].desc;
-		pass->frame = &frames[i - first];
-		pass->shadow = shadows[i - first];
+		pass->frame = &renderer->lights[i - first].frame;
+		pass->shadow = renderer->lights[i - first].shadow;
 		if (!surface_pass_draw(pass, error))
 			return false;
 		pass->first = false;
 		set_pass_state(gl, false);
 	}
 	return true;
-}
-
-static bool draw_view(struct surface_pass *pass, const struct sm_view *view, uint32_t first,
-	uint32_t last, GLuint framebuffer, struct sm_error *error)
-{
-	size_t count = last - first;
-	struct light_frame *frames = array_alloc(count, sizeof(*frames));
-	void **shadows = array_alloc(count, sizeof(*shadows));
-	bool drawn = frames != NULL && shadows != NULL;
-	if (drawn)
-		drawn = draw_lights(pass, first, last, frames, shadows, framebuffer, view, error);
-	else
-		error_no_memory(error);
-	free(frames);
-	free(shadows);
-	return drawn;
 }
 
 static bool check_view(const struct sm_renderer *renderer, const struct sm_scene *scene,
@@ -118,6 +113,8 @@ bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 			&view->camera, scene, view->width, view->height, world_to_clip, error) ||
 		!gpu_scene_update(&gpu->scene, gl, scene, &gpu->stats.uploaded_bytes, error))
 		return false;
+	if (!draw_order_find(&renderer->order, scene, world_to_clip))
+		return error_no_memory(error);
 	struct surface_pass pass = {.renderer = renderer,
 		.scene = scene,
 		.world_to_clip = world_to_clip,
@@ -140,7 +137,7 @@ bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 			return false;
 		framebuffer = renderer->accumulator.framebuffer;
 	}
-	bool drawn = draw_view(&pass, view, first, last, framebuffer, error);
+	bool drawn = draw_lights(&pass, first, last, framebuffer, error);
 	if (drawn && accumulate) {
 		gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
 		drawn = accumulator_copy(&renderer->accumulator, gpu, error);

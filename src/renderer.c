@@ -26,6 +26,8 @@ void sm_renderer_destroy(struct sm_renderer *renderer)
 	shadow_set_finish(&renderer->shadows, &renderer->gpu);
 	accumulator_finish(&renderer->accumulator, &renderer->gpu.gl);
 	gpu_finish(&renderer->gpu);
+	draw_order_finish(&renderer->order);
+	free(renderer->lights);
 	free(renderer->needs);
 	free(renderer);
 }

@@ -2,6 +2,7 @@
 #ifndef RENDERER_H
 #define RENDERER_H
 
+#include "draw_order.h"
 #include "shadow_set.h"
 
 /** Where several lights are added up when the caller's framebuffer cannot do that in linear
@@ -11,12 +12,21 @@ struct accumulator {
 	uint32_t width, height;
 };
 
+/** A light of the frame. */
+struct shadowed_light {
+	struct light_frame frame;
+	const void *shadow; /* state of the technique, in the shadow set */
+};
+
 struct sm_renderer {
 	struct gpu gpu;
 	struct shadow_set shadows;
 	struct accumulator accumulator;
-	uint8_t *needs; /* working memory: enum need of a mesh's clusters; owned */
-	size_t need_capacity;
+	/* Working memory, kept so that a frame like the last one allocates nothing. */
+	struct draw_order order;
+	struct shadowed_light *lights; /* owned */
+	uint8_t *needs;                /* enum need of a mesh's clusters; owned */
+	size_t light_capacity, need_capacity;
 	bool whole; /* draw every surface with all that the technique does, for comparison */
 };
 

@@ -3,7 +3,6 @@
 #include "base/array.h"
 #include "tiles.h"
 #include <float.h>
-#include <stdlib.h>
 #include <string.h>
 
 static void set_light(const struct surface_pass *pass, const struct program *program)
@@ -298,48 +297,6 @@ static bool draw_object(
 	return true;
 }
 
-/* The order of drawing: what ends nearer to the eye first, so that the ground, which reaches
- * farther than what stands on it, is shaded only where it is seen. */
-struct draw_item {
-	const struct object *object;
-	float farthest; /* w of clip space */
-};
-
-static int compare_items(const void *a, const void *b)
-{
-	const struct draw_item *x = a, *y = b;
-	if (x->farthest != y->farthest)
-		return x->farthest < y->farthest ? -1 : 1;
-	return (x->object > y->object) - (x->object < y->object);
-}
-
-static float farthest_of(const struct object *object, mat4 world_to_clip)
-{
-	float farthest = -FLT_MAX;
-	for (int corner = 0; corner < 8; corner++) {
-		vec4 p = {1.0f, 1.0f, 1.0f, 1.0f};
-		for (int axis = 0; axis < 3; axis++)
-			p[axis] = corner >> axis & 1 ? object->max[axis] : object->min[axis];
-		glm_mat4_mulv(world_to_clip, p, p);
-		farthest = fmaxf(farthest, p[3]);
-	}
-	return farthest;
-}
-
-static struct draw_item *sorted_items(const struct surface_pass *pass)
-{
-	size_t count = pass->scene->object_count;
-	struct draw_item *items = array_alloc(count, sizeof(*items));
-	for (size_t i = 0; items != NULL && i < count; i++) {
-		const struct object *object = &pass->scene->objects[i];
-		items[i].object = object;
-		items[i].farthest = farthest_of(object, pass->world_to_clip);
-	}
-	if (items != NULL)
-		qsort(items, count, sizeof(*items), compare_items);
-	return items;
-}
-
 static void map_needs(struct surface_pass *pass)
 {
 	const struct sm_renderer *renderer = pass->renderer;
@@ -353,16 +310,13 @@ static void map_needs(struct surface_pass *pass)
 bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)
 {
 	struct gl *gl = &pass->renderer->gpu.gl;
-	struct draw_item *items = sorted_items(pass);
-	if (items == NULL)
-		return error_no_memory(error);
+	const struct draw_order *order = &pass->renderer->order;
 	bool drawn = true;
 	map_needs(pass);
 	pass->program = NULL;
 	gl_push_group(gl, __func__);
-	for (size_t i = 0; i < pass->scene->object_count && drawn; i++)
-		drawn = draw_object(pass, items[i].object, error);
+	for (size_t i = 0; i < order->count && drawn; i++)
+		drawn = draw_object(pass, order->items[i].object, error);
 	gl_pop_group(gl);
-	free(items);
 	return drawn;
 }

@@ -21,7 +21,7 @@ struct surface_pass {
 	struct need_map need_map;      /* of the light; likewise */
 };
 
-/** Draws every object into the framebuffer that is bound. */
+/** Draws every object, in the renderer's order, into the framebuffer that is bound. */
 bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error);
 
 #endif

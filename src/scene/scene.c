@@ -201,17 +201,28 @@ static bool light_check(const struct sm_light_desc *desc, struct sm_error *error
 		desc->name != NULL ? desc->name : "without a name", problem);
 }
 
+static bool is_same_name(const char *a, const char *b)
+{
+	return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
+}
+
 bool sm_scene_set_light(struct sm_scene *scene, uint32_t light, const struct sm_light_desc *desc,
 	struct sm_error *error)
 {
 	if (light >= scene->light_count)
 		return error_set(error, SM_ERROR_INPUT, "no light %u", light);
-	char *name;
-	if (!light_check(desc, error) || !copy_name(desc->name, &name, error))
+	struct light *changed = &scene->lights[light];
+	char *name = changed->name;
+	if (!light_check(desc, error))
 		return false;
-	free(scene->lights[light].name);
-	scene->lights[light] = (struct light){.name = name, .desc = *desc};
-	scene->lights[light].desc.name = name;
+	/* A light that moves keeps its name: nothing is allocated each frame. */
+	if (!is_same_name(name, desc->name)) {
+		if (!copy_name(desc->name, &name, error))
+			return false;
+		free(changed->name);
+	}
+	*changed = (struct light){.name = name, .desc = *desc};
+	changed->desc.name = name;
 	return true;
 }
 

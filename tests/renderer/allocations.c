@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A frame like the last one allocates nothing. Linked with --wrap, so that what this program and
+ * the library call is counted, and what the driver calls is not.
+ */
+#include "canvas.h"
+#include "parts.h"
+#include "rig.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define SIZE 48
+
+/* Enough that sorting them by qsort() would allocate. */
+#define OBJECTS 100
+
+static unsigned int allocations;
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *memory, size_t size);
+char *__real_strdup(const char *text);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *memory, size_t size);
+char *__wrap_strdup(const char *text);
+void __real_qsort(
+	void *base, size_t count, size_t size, int (*compare)(const void *, const void *));
+void __wrap_qsort(
+	void *base, size_t count, size_t size, int (*compare)(const void *, const void *));
+
+void *__wrap_malloc(size_t size)
+{
+	allocations++;
+	return __real_malloc(size);
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+	allocations++;
+	return __real_calloc(count, size);
+}
+
+void *__wrap_realloc(void *memory, size_t size)
+{
+	allocations++;
+	return __real_realloc(memory, size);
+}
+
+char *__wrap_strdup(const char *text)
+{
+	allocations++;
+	return __real_strdup(text);
+}
+
+/* glibc's before 2.37 allocates above 1024 bytes. */
+void __wrap_qsort(void *base, size_t count, size_t size, int (*compare)(const void *, const void *))
+{
+	allocations += count * size > 1024;
+	__real_qsort(base, count, size, compare);
+}
+
+static const struct sm_light_desc lamp = {
+	.name = "lamp",
+	.type = SM_LIGHT_SPOT,
+	.position = {0, 6, 1},
+	.radius = 0.3f,
+	.angle = 80,
+	.color = {1, 1, 1},
+	.intensity = 1,
+};
+
+/* Spheres on a floor, under two lights. */
+static void set_up(struct sm_scene *scene)
+{
+	struct sm_light_desc sun = lamp;
+	sun.type = SM_LIGHT_DIRECTIONAL;
+	parts_add_light(scene, &lamp);
+	parts_add_light(scene, &sun);
+	uint32_t sphere = parts_add_sphere(scene, 8);
+	for (int i = 0; i < OBJECTS; i++)
+		parts_add_object(scene, sphere, PART_BOTH,
+			&(struct pose){.scale = {0.2f, 0.2f, 0.2f},
+				.position = {(float)(i % 10) / 2 - 2, 1, (float)(i / 10) / 2 - 2}});
+	parts_add_object(
+		scene, parts_add_square(scene), PART_RECEIVES, &(struct pose){.scale = {4, 1, 4}});
+}
+
+static void the_same_frame_allocates_nothing(void **state)
+{
+	struct rig *rig = *state;
+	static const struct {
+		struct sm_shadow_options options;
+		GLenum format;
+		uint32_t visibility_of;
+	} cases[] = {
+		{{.technique = "hard"}, GL_SRGB8_ALPHA8, SM_NONE},
+		{{.technique = "smoothie"}, GL_SRGB8_ALPHA8, SM_NONE},
+		{{.technique = "smoothie", .passes = 2}, GL_RGBA8, SM_NONE},
+		{{.technique = "smoothie", .falloff = SM_FALLOFF_SINUSOID}, GL_RGBA8, 1},
+	};
+	set_up(rig->scene);
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct canvas canvas;
+		struct sm_view view = {
+			.camera = {.eye = {4, 5, 6}, .up = {0, 1, 0}, .fov = 50},
+			.width = SIZE,
+			.height = SIZE,
+			.visibility_of = cases[i].visibility_of,
+		};
+		canvas_init(&canvas, cases[i].format, SIZE, SIZE);
+		view.framebuffer = canvas.framebuffer;
+		rig_set_shadows(rig, &cases[i].options);
+		allocations = 0;
+		rig_draw(rig, rig->scene, &view);
+		assert_true(allocations > 0);
+		allocations = 0;
+		rig_draw(rig, rig->scene, &view);
+		assert_int_equal(allocations, 0);
+		canvas_finish(&canvas);
+	}
+}
+
+static void moving_things_allocates_nothing(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_light_desc moved = lamp;
+	float transform[16];
+	set_up(rig->scene);
+	pose_matrix(&(struct pose){.scale = {1, 1, 1}}, transform);
+	moved.position[0] = 1;
+	allocations = 0;
+	assert_true(sm_scene_set_light(rig->scene, 0, &moved, NULL));
+	assert_true(sm_scene_set_transform(rig->scene, 0, transform, NULL));
+	assert_int_equal(allocations, 0);
+	moved.name = "another";
+	assert_true(sm_scene_set_light(rig->scene, 0, &moved, NULL));
+	assert_int_equal(allocations, 1);
+}
+
+static void copying_to_a_screen_allocates_nothing(void **state)
+{
+	struct rig *rig = *state;
+	struct canvas canvas;
+	GLuint texture;
+	glGenTextures(1, &texture);
+	glBindTexture(GL_TEXTURE_2D, texture);
+	glTexStorage2D(GL_TEXTURE_2D, 1, GL_SRGB8_ALPHA8, SIZE, SIZE);
+	canvas_init(&canvas, GL_RGB565, SIZE, SIZE);
+	struct sm_screen screen = {texture, SIZE, SIZE, canvas.framebuffer, 0, {5, 6, 5}};
+	assert_true(sm_renderer_copy_to_screen(rig->renderer, &screen, NULL));
+	allocations = 0;
+	assert_true(sm_renderer_copy_to_screen(rig->renderer, &screen, NULL));
+	assert_int_equal(allocations, 0);
+	canvas_finish(&canvas);
+	glDeleteTextures(1, &texture);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		rig_test(the_same_frame_allocates_nothing),
+		rig_test(moving_things_allocates_nothing),
+		rig_test(copying_to_a_screen_allocates_nothing),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
