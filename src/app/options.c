@@ -138,6 +138,17 @@ bool options_number(const char *text, uint32_t min, uint32_t max, uint32_t *valu
 	return read_number(&text, '\0', max, value) && *value >= min;
 }
 
+bool options_rate(const char *text, uint32_t *numerator, uint32_t *denominator)
+{
+	*denominator = 1;
+	if (!read_number(&text, '\0', INT32_MAX, numerator) &&
+		!(read_number(&text, '/', INT32_MAX, numerator) &&
+			read_number(&text, '\0', INT32_MAX, denominator)))
+		return false;
+	uint64_t frames = *numerator, seconds = *denominator;
+	return seconds > 0 && frames * 1000 >= seconds && frames <= seconds * 1000;
+}
+
 bool options_size(const char *text, uint32_t *width, uint32_t *height)
 {
 	return read_number(&text, 'x', INT32_MAX, width) && *width > 0 &&

@@ -51,6 +51,9 @@ bool options_error(struct sm_error *error, const struct command *command, const 
 /** A decimal number within [min, max], and nothing else. */
 bool options_number(const char *text, uint32_t min, uint32_t max, uint32_t *value);
 
+/** A rate "N" or "N/D", each from 1 to 2^31 - 1, that is from 0.001 to 1000. */
+bool options_rate(const char *text, uint32_t *numerator, uint32_t *denominator);
+
 /** "WIDTHxHEIGHT", each from 1 to 2^31 - 1. */
 bool options_size(const char *text, uint32_t *width, uint32_t *height);
 

@@ -9,6 +9,7 @@
 #include "app/stopwatch.h"
 #include "app/target.h"
 #include "base/array.h"
+#include "load/motion.h"
 #include "load/stage.h"
 #include "platform.h"
 #include <GLES3/gl3.h>
@@ -42,7 +43,7 @@ static const struct flag flags[] = {
 	{FLAG_VISIBILITY, "visibility", "[=LIGHT]",
 		"16-bit grey: the share of a light (0) that arrives"},
 	{FLAG_FRAMES, "frames", "N", "write N numbered pictures"},
-	{FLAG_FPS, "fps", "F", "frames a second of the scene's time, with --frames"},
+	{FLAG_FPS, "fps", "F", "frames a second of the scene's time, with --frames; default: 25"},
 	{FLAG_STATS, "stats", NULL, "print times and counts"},
 	COMMON_FLAGS,
 };
@@ -50,10 +51,11 @@ static const struct flag flags[] = {
 struct render_options {
 	struct common_options common;
 	const char *scene;
-	char *output;                                           /* owned */
-	uint32_t width, height, samples, map_size, frames, fps; /* 0: not given */
-	const char *technique;                                  /* NULL: not given */
-	const char **settings;                                  /* owned array */
+	char *output;                                      /* owned */
+	uint32_t width, height, samples, map_size, frames; /* 0: not given */
+	uint32_t rate, rate_divisor;                       /* frames a second; rate 0: not given */
+	const char *technique;                             /* NULL: not given */
+	const char **settings;                             /* owned array */
 	size_t setting_count;
 	uint32_t visibility_of;
 	bool stats;
@@ -108,9 +110,11 @@ static bool read_flag(
 		       options_error(error, &render_command,
 			       "--frames %.40s: a number from 1 to 1000000 is wanted", value);
 	case FLAG_FPS:
-		return options_number(value, 1, 1000, &options->fps) ||
+		return options_rate(value, &options->rate, &options->rate_divisor) ||
 		       options_error(error, &render_command,
-			       "--fps %.40s: a number from 1 to 1000 is wanted", value);
+			       "--fps %.40s: a number or ratio from 0.001 to 1000 is wanted, such "
+			       "as 25 or 60000/1001",
+			       value);
 	case FLAG_STATS:
 		options->stats = true;
 		return true;
@@ -123,7 +127,7 @@ static bool read_flag(
 static bool check_options(const struct render_options *options, struct sm_error *error)
 {
 	const char *conflict = NULL;
-	if (options->fps > 0 && options->frames == 0)
+	if (options->rate > 0 && options->frames == 0)
 		conflict = "--fps needs --frames";
 	else if (options->visibility_of != SM_NONE && options->samples > 1)
 		conflict = "--visibility has one sample a pixel: --samples 4 does not go with it";
@@ -151,6 +155,7 @@ static bool read_options(
 {
 	*options = (struct render_options){
 		.common = options_defaults(),
+		.rate_divisor = 1,
 		.visibility_of = SM_NONE,
 		.settings = array_zalloc((size_t)argc, sizeof(*options->settings)),
 	};
@@ -278,10 +283,21 @@ static bool write_frame(struct render *render, const struct render_options *opti
 	return written;
 }
 
+/* Puts the scene at the time of frame `number`, from 1. */
+static bool set_time(struct stage *stage, const struct render_options *options, uint32_t number,
+	struct sm_error *error)
+{
+	uint32_t rate = options->rate > 0 ? options->rate : 25;
+	return stage_set_time(stage, motion_time(number, rate, options->rate_divisor), error);
+}
+
 static bool render_frame(struct render *render, const struct render_options *options,
 	uint32_t number, struct sm_error *error)
 {
 	char path[PATH_MAX];
+	if (!output_path(options, number, path, error) ||
+		!set_time(&render->stage, options, number, error))
+		return false;
 	struct sm_view view = {
 		.camera = render->stage.camera,
 		.framebuffer = render->target.framebuffer,
@@ -289,8 +305,7 @@ static bool render_frame(struct render *render, const struct render_options *opt
 		.height = render->target.height,
 		.visibility_of = options->visibility_of,
 	};
-	if (!output_path(options, number, path, error) ||
-		!sm_renderer_draw(render->renderer, render->stage.scene, &view, error))
+	if (!sm_renderer_draw(render->renderer, render->stage.scene, &view, error))
 		return false;
 	glFinish();
 	stopwatch_lap(&render->stopwatch, number == 1 ? "first frame" : "further frames");

@@ -53,6 +53,9 @@ static const struct {
 	{2, "--frames x: ", {"render", CYLINDER, "--frames", "x"}},
 	{2, "--frames 0: ", {"render", CYLINDER, "--frames", "0"}},
 	{2, "--fps 0: ", {"render", CYLINDER, "--frames", "2", "--fps", "0"}},
+	{2, "--fps 1001: ", {"render", CYLINDER, "--frames", "2", "--fps", "1001"}},
+	{2, "--fps 29.97: ", {"render", CYLINDER, "--frames", "2", "--fps", "29.97"}},
+	{2, "--fps 25/0: ", {"render", CYLINDER, "--frames", "2", "--fps", "25/0"}},
 
 	{2, "--fps needs --frames", {"render", CYLINDER, "--fps", "25"}},
 	{2, "--samples 4 does not go with", {"render", CYLINDER, "--visibility", "--samples", "4"}},
@@ -66,6 +69,8 @@ static const struct {
 	{2, "empty.glb", {"render", "empty.glb"}},
 	{2, "--set", {"render", CYLINDER, "--set", "nonsense"}},
 	{2, "--set", {"render", CYLINDER, "--set", "light.radius=wide"}},
+	{2, "--set motion.period: ", {"render", CYLINDER, "--set", "motion.period=.01"}},
+	{2, "turns is camera", {"render", CYLINDER, "--set", "motion.light=key"}},
 
 	{2, "missing/out.png (No such file", {"render", CYLINDER, "-o", "missing/out.png"}},
 	{2, "folder (Is a directory)", {"render", CYLINDER, "-o", "folder"}},

@@ -43,6 +43,45 @@ static void test_numbers(void **state)
 	}
 }
 
+static void test_rates(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *text;
+		bool valid;
+		uint32_t numerator, denominator;
+	} cases[] = {
+		{"25", true, 25, 1},
+		{"60000/1001", true, 60000, 1001},
+		{"1000", true, 1000, 1},
+		{"1/1000", true, 1, 1000},
+		{"2147483647/2147483647", true, INT32_MAX, INT32_MAX},
+		{"1001", false, 0, 0},
+		{"1/1001", false, 0, 0},
+		{"2147483647/2147483", false, 0, 0},
+		{"2147483648/2147483647", false, 0, 0},
+		{"25/2147483648", false, 0, 0},
+		{"0", false, 0, 0},
+		{"0/1", false, 0, 0},
+		{"1/0", false, 0, 0},
+		{"0/0", false, 0, 0},
+		{"25/", false, 0, 0},
+		{"/25", false, 0, 0},
+		{"25/1/1", false, 0, 0},
+		{"29.97", false, 0, 0},
+		{"-25", false, 0, 0},
+		{"", false, 0, 0},
+	};
+	for (size_t i = 0; i < COUNT(cases); i++) {
+		uint32_t numerator, denominator;
+		bool valid = options_rate(cases[i].text, &numerator, &denominator);
+		if (valid != cases[i].valid ||
+			(valid && (numerator != cases[i].numerator ||
+					  denominator != cases[i].denominator)))
+			fail_msg("\"%s\"", cases[i].text);
+	}
+}
+
 static void test_sizes(void **state)
 {
 	(void)state;
@@ -158,6 +197,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_numbers),
+		cmocka_unit_test(test_rates),
 		cmocka_unit_test(test_sizes),
 		cmocka_unit_test(test_frame_names),
 		cmocka_unit_test(test_facts_as_lines),
