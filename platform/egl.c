@@ -29,14 +29,13 @@ static const char *error_name(EGLint code)
 	return "unknown EGL error";
 }
 
-static bool fail(struct sm_error *error, const char *call)
+bool egl_fail(struct sm_error *error, const char *call)
 {
 	return error_set(
 		error, SM_ERROR_MACHINE, "%s failed (%s)", call, error_name(eglGetError()));
 }
 
-/* EGL_NO_DISPLAY asks for the client's extensions. */
-static bool has_extension(EGLDisplay display, const char *name)
+bool egl_has_extension(EGLDisplay display, const char *name)
 {
 	const char *list = eglQueryString(display, EGL_EXTENSIONS);
 	size_t length = strlen(name);
@@ -54,7 +53,7 @@ static bool open_display(struct egl *egl, EGLenum platform, void *native, struct
 	if (get_platform_display == NULL)
 		return error_set(error, SM_ERROR_MACHINE, "EGL lacks EGL_EXT_platform_base");
 	egl->display = get_platform_display(platform, native, NULL);
-	return egl->display != EGL_NO_DISPLAY || fail(error, "eglGetPlatformDisplayEXT");
+	return egl->display != EGL_NO_DISPLAY || egl_fail(error, "eglGetPlatformDisplayEXT");
 }
 
 static bool open_first_device(struct egl *egl, struct sm_error *error)
@@ -68,14 +67,14 @@ static bool open_first_device(struct egl *egl, struct sm_error *error)
 	return open_display(egl, EGL_PLATFORM_DEVICE_EXT, device, error);
 }
 
-static bool choose_config(EGLDisplay display, EGLConfig *config, struct sm_error *error)
+static bool choose_any_config(EGLDisplay display, EGLConfig *config, struct sm_error *error)
 {
 	/* EGL_SURFACE_TYPE would default to windows, which headless drivers may not have. */
 	static const EGLint wanted[] = {
 		EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
 	EGLint count = 0;
 	if (!eglChooseConfig(display, wanted, config, 1, &count))
-		return fail(error, "eglChooseConfig");
+		return egl_fail(error, "eglChooseConfig");
 	if (count == 0)
 		return error_set(error, SM_ERROR_MACHINE, "EGL has no config for OpenGL ES 3");
 	return true;
@@ -102,17 +101,19 @@ static EGLContext create_context(EGLDisplay display, EGLConfig config, bool debu
 	return context;
 }
 
-static bool make_context(struct egl *egl, bool debug, struct sm_error *error)
+/* format 0: no surface will be used. */
+static bool make_context(struct egl *egl, uint32_t format, bool debug, struct sm_error *error)
 {
 	EGLConfig config = EGL_NO_CONFIG_KHR;
 	if (!eglInitialize(egl->display, NULL, NULL))
-		return fail(error, "eglInitialize");
-	if (!has_extension(egl->display, "EGL_KHR_surfaceless_context"))
+		return egl_fail(error, "eglInitialize");
+	if (!egl_has_extension(egl->display, "EGL_KHR_surfaceless_context"))
 		return error_set(error, SM_ERROR_MACHINE, "EGL lacks EGL_KHR_surfaceless_context");
 	if (!eglBindAPI(EGL_OPENGL_ES_API))
-		return fail(error, "eglBindAPI");
-	if (!has_extension(egl->display, "EGL_KHR_no_config_context") &&
-		!choose_config(egl->display, &config, error))
+		return egl_fail(error, "eglBindAPI");
+	if (!egl_has_extension(egl->display, "EGL_KHR_no_config_context") &&
+		!(format != 0 ? egl_choose_config(egl->display, format, &config, error)
+			      : choose_any_config(egl->display, &config, error)))
 		return false;
 	egl->context = create_context(egl->display, config, debug);
 	if (egl->context == EGL_NO_CONTEXT && debug) {
@@ -121,36 +122,44 @@ static bool make_context(struct egl *egl, bool debug, struct sm_error *error)
 		egl->context = create_context(egl->display, config, false);
 	}
 	if (egl->context == EGL_NO_CONTEXT)
-		return fail(error, "eglCreateContext for OpenGL ES 3");
-	return eglMakeCurrent(egl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, egl->context) ||
-	       fail(error, "eglMakeCurrent");
+		return egl_fail(error, "eglCreateContext for OpenGL ES 3");
+	egl->native_fences = egl_has_extension(egl->display, "EGL_ANDROID_native_fence_sync") &&
+			     egl_has_extension(egl->display, "EGL_KHR_wait_sync");
+	return egl_use_no_surface(egl, error);
 }
 
 bool egl_init_surfaceless(struct egl *egl, bool debug, struct sm_error *error)
 {
 	bool opened;
 	*egl = (struct egl){0};
-	if (has_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+	if (egl_has_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
 		opened = open_display(
 			egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, error);
-	} else if (has_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
+	} else if (egl_has_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
 		opened = open_first_device(egl, error);
 	} else {
 		egl->display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
 		opened = egl->display != EGL_NO_DISPLAY ||
 			 error_set(error, SM_ERROR_MACHINE, "EGL offers no display");
 	}
-	return opened && make_context(egl, debug, error);
+	return opened && make_context(egl, 0, debug, error);
 }
 
-bool egl_init_gbm(struct egl *egl, void *gbm_device, bool debug, struct sm_error *error)
+bool egl_init_gbm(
+	struct egl *egl, void *gbm_device, uint32_t format, bool debug, struct sm_error *error)
 {
 	*egl = (struct egl){0};
-	if (!has_extension(EGL_NO_DISPLAY, "EGL_KHR_platform_gbm") &&
-		!has_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_gbm"))
+	if (!egl_has_extension(EGL_NO_DISPLAY, "EGL_KHR_platform_gbm") &&
+		!egl_has_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_gbm"))
 		return error_set(error, SM_ERROR_MACHINE, "EGL lacks EGL_KHR_platform_gbm");
 	return open_display(egl, EGL_PLATFORM_GBM_KHR, gbm_device, error) &&
-	       make_context(egl, debug, error);
+	       make_context(egl, format, debug, error);
+}
+
+bool egl_use_no_surface(struct egl *egl, struct sm_error *error)
+{
+	return eglMakeCurrent(egl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, egl->context) ||
+	       egl_fail(error, "eglMakeCurrent");
 }
 
 void egl_finish(struct egl *egl)

@@ -9,15 +9,49 @@
 struct egl {
 	EGLDisplay display;
 	EGLContext context;
+	bool native_fences; /* EGL_ANDROID_native_fence_sync */
 };
 
 /** The display that needs neither window nor node: whichever way the EGL here offers. */
 bool egl_init_surfaceless(struct egl *egl, bool debug, struct sm_error *error);
 
-/** The display of a GBM device (struct gbm_device *), which must outlive it. */
-bool egl_init_gbm(struct egl *egl, void *gbm_device, bool debug, struct sm_error *error);
+/** The display of a GBM device (struct gbm_device *), which must outlive it. format: of the buffers
+ *  that will be drawn to (DRM_FORMAT_*); 0: none will. */
+bool egl_init_gbm(
+	struct egl *egl, void *gbm_device, uint32_t format, bool debug, struct sm_error *error);
+
+/** Makes the context current without a surface again. */
+bool egl_use_no_surface(struct egl *egl, struct sm_error *error);
+
+/** A surface on a GBM surface (struct gbm_surface *) of that DRM_FORMAT_*; EGL_NO_SURFACE on
+ *  failure (MACHINE). */
+EGLSurface egl_create_surface(
+	struct egl *egl, void *gbm_surface, uint32_t format, struct sm_error *error);
+/** EGL_NO_SURFACE is fine; one in use is left first. */
+void egl_destroy_surface(struct egl *egl, EGLSurface surface);
+
+/** Makes the surface the context's framebuffer 0. */
+bool egl_use_surface(struct egl *egl, EGLSurface surface, struct sm_error *error);
+
+/** Ends a picture. *fence: signalled when it is drawn, the caller's to close; -1 where fences are
+ *  not to be had. */
+bool egl_swap(struct egl *egl, EGLSurface surface, int *fence, struct sm_error *error);
+
+/** Has the GPU, not the caller, wait for a fence before it draws on; takes the fence; -1 is fine.
+ */
+void egl_wait(struct egl *egl, int fence);
 
 /** Releases whatever an init, complete or not, has made. */
 void egl_finish(struct egl *egl);
+
+/** Fills *error (MACHINE) with the call that failed and EGL's reason, and returns false. */
+bool egl_fail(struct sm_error *error, const char *call);
+
+/** EGL_NO_DISPLAY asks for the client's extensions. */
+bool egl_has_extension(EGLDisplay display, const char *name);
+
+/** The config that draws to buffers of a DRM_FORMAT_*; fails (MACHINE). */
+bool egl_choose_config(
+	EGLDisplay display, uint32_t format, EGLConfig *config, struct sm_error *error);
 
 #endif

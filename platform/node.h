@@ -16,6 +16,10 @@ struct node {
  *  Fails (INPUT) when it is no such node, (MACHINE) when it does not serve. */
 bool node_init(struct node *node, const char *path, bool debug, struct sm_error *error);
 
+/** A GBM device on an open node, or NULL; debug: as above. End it with gbm_device_destroy(), before
+ *  the node is closed. */
+struct gbm_device *node_create_gbm(int fd, bool debug);
+
 /** Closes whatever init has opened. */
 void node_finish(struct node *node);
 

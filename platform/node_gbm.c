@@ -32,6 +32,11 @@ static struct gbm_device *create_device_quietly(int fd)
 	return device;
 }
 
+struct gbm_device *node_create_gbm(int fd, bool debug)
+{
+	return debug ? gbm_create_device(fd) : create_device_quietly(fd);
+}
+
 bool node_init(struct node *node, const char *path, bool debug, struct sm_error *error)
 {
 	*node = (struct node){.fd = open(path, O_RDWR | O_CLOEXEC)};
@@ -41,7 +46,7 @@ bool node_init(struct node *node, const char *path, bool debug, struct sm_error 
 			"%s", strerror(errno));
 	if (!is_drm(node->fd))
 		return error_set(error, SM_ERROR_INPUT, "it is no DRM node");
-	node->gbm = debug ? gbm_create_device(node->fd) : create_device_quietly(node->fd);
+	node->gbm = node_create_gbm(node->fd, debug);
 	if (node->gbm == NULL)
 		return error_set(error, SM_ERROR_MACHINE, "it has no GBM driver");
 	return true;

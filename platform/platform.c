@@ -24,7 +24,7 @@ static bool start(struct platform *platform, bool debug, struct sm_error *error)
 	if (strcmp(platform->device, surfaceless) == 0)
 		return egl_init_surfaceless(&platform->egl, debug, error);
 	return node_init(&platform->node, platform->device, debug, error) &&
-	       egl_init_gbm(&platform->egl, platform->node.gbm, debug, error);
+	       egl_init_gbm(&platform->egl, platform->node.gbm, 0, debug, error);
 }
 
 /* The error says why, without the device's name. */
@@ -112,11 +112,16 @@ static struct platform *open_first(bool debug, struct sm_error *error)
 	return platform;
 }
 
-struct platform *platform_create(const char *device, bool debug, struct sm_error *error)
+void platform_prepare(bool debug)
 {
 	/* Mesa warns on stderr about each driver that it tries and leaves; we report the outcome.
 	 */
 	setenv("EGL_LOG_LEVEL", debug ? "warning" : "fatal", 0);
+}
+
+struct platform *platform_create(const char *device, bool debug, struct sm_error *error)
+{
+	platform_prepare(debug);
 	struct platform *platform =
 		device != NULL ? open_named(device, debug, error) : open_first(debug, error);
 	if (platform != NULL)

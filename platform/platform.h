@@ -18,6 +18,9 @@ struct platform;
  */
 struct platform *platform_create(const char *device, bool debug, struct sm_error *error);
 
+/** Before anything else of EGL: sets where the drivers' messages go. */
+void platform_prepare(bool debug);
+
 /** Ends context and device; NULL is fine. */
 void platform_destroy(struct platform *platform);
 
