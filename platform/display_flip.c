@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: MIT */
+#include "base/error.h"
+#include "base/log.h"
+#include "display_state.h"
+#include <errno.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+#include <xf86drm.h>
+
+#define SECOND INT64_C(1000000000)
+
+/* A driver that takes longer to show a frame has lost it. Setting a mode may take a while. */
+static const int64_t flip_limit = 3 * SECOND;
+/* After a commit that failed for want of something that may come. */
+static const int64_t pause_after_failure = SECOND / 10;
+/* In a row: after these it will not come. */
+enum { FAILURES_MAX = 50 };
+
+static int64_t thread_time(void)
+{
+	struct timespec time;
+	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+	return time.tv_sec * SECOND + time.tv_nsec;
+}
+
+void display_flip_done(struct display *display, uint32_t count, int64_t time)
+{
+	uint64_t steps = display_clock_flip(&display->clock, count, time, display->flip_sets_mode);
+	if (display->flip_follows && !display->flip_sets_mode && steps > 1)
+		display->stats.missed += steps - 1;
+	display->stats.flips++;
+	display->flip_pending = false;
+	/* A frame of a swapchain that was retired meanwhile is 0: it stays on the screen. */
+	if (display->pending != 0) {
+		swapchain_destroy(display->retired);
+		display->retired = NULL;
+		swapchain_release(display->swapchain, display->shown);
+		display->shown = display->pending;
+		display->pending = 0;
+	}
+	log_debug("flip: frame %llu shows tick %llu", (unsigned long long)display->stats.flips,
+		(unsigned long long)display->clock.tick);
+}
+
+static void on_flip(
+	int fd, unsigned count, unsigned seconds, unsigned microseconds, unsigned crtc, void *data)
+{
+	struct display *display = data;
+	(void)fd, (void)crtc;
+	if (display->flip_pending)
+		display_flip_done(display, count, seconds * SECOND + microseconds * INT64_C(1000));
+}
+
+/* An event that never comes must not stop the picture for ever. */
+static bool check_deadline(struct display *display, struct sm_error *error)
+{
+	if (!display->flip_pending || display_now() < display->flip_deadline)
+		return true;
+	if (display_device_is_gone(display))
+		return display_device_removed(display, error);
+	log_warning("%s: the driver does not tell that a frame is shown: going on",
+		display->output.name);
+	display_flip_done(display, 0, display_now());
+	return true;
+}
+
+bool display_read_events(struct display *display, struct sm_error *error)
+{
+	drmEventContext context = {.version = 3, .page_flip_handler2 = on_flip};
+	struct pollfd ready = {.fd = display->device.fd, .events = POLLIN};
+	/* Reading would wait. */
+	while (poll(&ready, 1, 0) > 0 && ready.revents & POLLIN)
+		if (drmHandleEvent(display->device.fd, &context) != 0)
+			break;
+	if (ready.revents & (POLLERR | POLLHUP | POLLNVAL))
+		return display_device_removed(display, error);
+	return check_deadline(display, error);
+}
+
+void display_await_flip(struct display *display)
+{
+	int64_t limit = display_now() + SECOND;
+	while (display->flip_pending && !display->removed && display_now() < limit) {
+		struct pollfd ready = {.fd = display->device.fd, .events = POLLIN};
+		if (poll(&ready, 1, 50) > 0 && !display_read_events(display, NULL))
+			break;
+	}
+}
+
+bool display_begin(struct display *display, struct display_target *target, struct sm_error *error)
+{
+	int64_t since = display_now() - display->clock.time;
+	display->flip_follows = since < display_clock_period(&display->clock);
+	if (!display->target.takes_pixels)
+		egl_wait(&display->egl, display->fence);
+	else if (display->fence >= 0)
+		close(display->fence);
+	display->fence = -1;
+	*target = display->target;
+	return swapchain_begin(display->swapchain, error);
+}
+
+static enum kms_result commit(struct display *display, const struct kms_frame *frame)
+{
+	enum kms_result result = KMS_REFUSED;
+	display->flip_sets_mode = !display->mode_set;
+	if (display->mode_set) {
+		bool async = display->async_works;
+		result = display->kms->flip(
+			&display->device, &display->output, frame, async, display);
+		if (result == KMS_REFUSED && async) {
+			log_warning("%s: the driver has no flips without vsync: flips wait for the "
+				    "vertical blank",
+				display->output.name);
+			display->async_works = false;
+			result = display->kms->flip(
+				&display->device, &display->output, frame, false, display);
+		}
+	}
+	/* Drivers without flips can set a mode for every frame. */
+	if (result == KMS_REFUSED) {
+		display->flip_sets_mode = true;
+		result = display->kms->set_mode(&display->device, &display->output, frame, display);
+	}
+	return result;
+}
+
+static void commit_done(struct display *display, uint32_t framebuffer)
+{
+	display->pending = framebuffer;
+	display->flip_pending = true;
+	display->flip_deadline = display_now() + flip_limit;
+	display->mode_set = true;
+	display->stale = false;
+	display->failures = 0;
+	if (display->flip_sets_mode && !display->kms->set_mode_sends_event)
+		display_flip_done(display, 0, display_now());
+}
+
+/* Nothing came of the frame: it will be asked for again, when that may help. */
+static bool commit_failed(struct display *display, enum kms_result result, struct sm_error *error)
+{
+	struct sm_error why;
+	int code = errno;
+	display->stale = true;
+	error_set(&why, SM_ERROR_MACHINE, "the driver refuses the frame (%s)", strerror(code));
+	switch (result) {
+	case KMS_GONE:
+		return display_device_removed(display, error);
+	case KMS_NO_MASTER:
+		display->mode_set = false;
+		if (!display->lost_master)
+			log_warning("another program has taken the display: waiting for it to end");
+		display->lost_master = true;
+		display->next_take = display_now() + SECOND;
+		return true;
+	case KMS_REFUSED:
+		return display_next_attempt(display, &why, error);
+	default:
+		if (display->failures++ < FAILURES_MAX) {
+			display->not_before = display_now() + pause_after_failure;
+			return true;
+		}
+		return error_set(error, SM_ERROR_MACHINE, "%s cannot show a frame (%s)",
+			display->output.name, strerror(code));
+	}
+}
+
+bool display_end(struct display *display, const uint8_t *rgba, struct sm_error *error)
+{
+	struct kms_frame frame;
+	struct sm_error why;
+	if (!swapchain_end(display->swapchain, rgba, &frame, &why)) {
+		if (display_device_is_gone(display))
+			return display_device_removed(display, error);
+		return display_next_attempt(display, &why, error);
+	}
+	bool has_fences = !display->target.takes_pixels && display->egl.native_fences;
+	display->stats.frames++;
+	frame.rotation =
+		display->attempts[display->attempt].plane_turns ? display->options.rotation : 0;
+	frame.out_fence = has_fences ? &display->fence : NULL;
+	int64_t start = thread_time();
+	enum kms_result result = commit(display, &frame);
+	int code = errno;
+	display->stats.overhead += (double)(thread_time() - start) * 1e-6;
+	if (frame.in_fence >= 0)
+		close(frame.in_fence);
+	if (result == KMS_DONE) {
+		commit_done(display, frame.framebuffer);
+		return true;
+	}
+	swapchain_release(display->swapchain, frame.framebuffer);
+	errno = code;
+	return commit_failed(display, result, error);
+}
