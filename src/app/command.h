@@ -25,5 +25,6 @@ struct command {
 
 extern const struct command info_command;
 extern const struct command render_command;
+extern const struct command show_command;
 
 #endif

@@ -12,6 +12,7 @@ enum {
 
 static const struct flag flags[] = {
 	{FLAG_JSON, "json", NULL, "print one JSON object"},
+	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
 };
 

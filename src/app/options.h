@@ -6,15 +6,19 @@
 #include "base/error.h"
 
 /** Flags that every subcommand has, by the ids below; options_common() takes them. */
-#define COMMON_FLAGS                                                                   \
-	{FLAG_DEVICE, "device", "PATH|surfaceless",                                    \
-		"where to render; default: the first that works"},                     \
-		{FLAG_DEBUG, "debug", NULL,                                            \
-			"log what the driver says and does (also: SMOOTHIE_DEBUG=1)"}, \
-		{'q', "quiet", NULL, "no warnings, no progress"},                      \
-		{'v', "verbose", NULL, "say more; twice: all"},                        \
-	{                                                                              \
-		'h', "help", NULL, "show this"                                         \
+#define COMMON_FLAGS                                                                               \
+	{FLAG_DEBUG, "debug", NULL, "log what the driver says and does (also: SMOOTHIE_DEBUG=1)"}, \
+		{'q', "quiet", NULL, "no warnings, no progress"},                                  \
+		{'v', "verbose", NULL, "say more; twice: all"},                                    \
+	{                                                                                          \
+		'h', "help", NULL, "show this"                                                     \
+	}
+
+/** The flag of subcommands that draw without a display. */
+#define RENDER_DEVICE_FLAG                                               \
+	{                                                                \
+		FLAG_DEVICE, "device", "PATH|surfaceless",               \
+			"where to render; default: the first that works" \
 	}
 
 enum {

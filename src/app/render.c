@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/facts.h"
-#include "app/options.h"
 #include "app/output.h"
 #include "app/png.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/scene_options.h"
 #include "app/sequence.h"
 #include "app/stopwatch.h"
 #include "app/target.h"
 #include "base/array.h"
 #include "load/motion.h"
-#include "load/stage.h"
 #include "platform.h"
 #include <GLES3/gl3.h>
 #include <getopt.h>
@@ -21,11 +20,7 @@
 #include <sys/stat.h>
 
 enum {
-	FLAG_SIZE = FLAG_OWN,
-	FLAG_SAMPLES,
-	FLAG_TECHNIQUE,
-	FLAG_MAP,
-	FLAG_SET,
+	FLAG_SIZE = FLAG_OWN_OF_SCENES,
 	FLAG_VISIBILITY,
 	FLAG_FRAMES,
 	FLAG_FPS,
@@ -36,27 +31,22 @@ static const struct flag flags[] = {
 	{'o', "output", "FILE",
 		"PNG to write, - for standard output; default: SCENE's name + .png"},
 	{FLAG_SIZE, "size", "WxH", "pixels of the picture"},
-	{FLAG_SAMPLES, "samples", "1|4", "samples a pixel against jagged edges"},
-	{FLAG_TECHNIQUE, "technique", "NAME", "how shadows are made"},
-	{FLAG_MAP, "map", "N", "texels a side of the shadow map"},
-	{FLAG_SET, "set", "SECTION.KEY=VALUE", "change the scene; may be repeated"},
+	SCENE_FLAGS,
 	{FLAG_VISIBILITY, "visibility", "[=LIGHT]",
 		"16-bit grey: the share of a light (0) that arrives"},
 	{FLAG_FRAMES, "frames", "N", "write N numbered pictures"},
 	{FLAG_FPS, "fps", "F", "frames a second of the scene's time, with --frames; default: 25"},
 	{FLAG_STATS, "stats", NULL, "print times and counts"},
+	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
 };
 
 struct render_options {
 	struct common_options common;
-	const char *scene;
-	char *output;                                      /* owned */
-	uint32_t width, height, samples, map_size, frames; /* 0: not given */
-	uint32_t rate, rate_divisor;                       /* frames a second; rate 0: not given */
-	const char *technique;                             /* NULL: not given */
-	const char **settings;                             /* owned array */
-	size_t setting_count;
+	struct scene_options scene;
+	char *output;                   /* owned */
+	uint32_t width, height, frames; /* 0: not given */
+	uint32_t rate, rate_divisor;    /* frames a second; rate 0: not given */
 	uint32_t visibility_of;
 	bool stats;
 };
@@ -85,20 +75,10 @@ static bool read_flag(
 			       "--size %.40s: WIDTHxHEIGHT in pixels is wanted, each 1 or more",
 			       value);
 	case FLAG_SAMPLES:
-		return (options_number(value, 1, 4, &options->samples) &&
-			       (options->samples == 1 || options->samples == 4)) ||
-		       options_error(
-			       error, &render_command, "--samples %.40s: 1 or 4 is wanted", value);
 	case FLAG_TECHNIQUE:
-		options->technique = value;
-		return true;
 	case FLAG_MAP:
-		return options_number(value, 1, INT32_MAX, &options->map_size) ||
-		       options_error(error, &render_command,
-			       "--map %.40s: a number of texels is wanted", value);
 	case FLAG_SET:
-		options->settings[options->setting_count++] = value;
-		return true;
+		return scene_options_flag(&options->scene, &render_command, id, value, error);
 	case FLAG_VISIBILITY:
 		options->visibility_of = 0;
 		return value == NULL ||
@@ -129,7 +109,7 @@ static bool check_options(const struct render_options *options, struct sm_error 
 	const char *conflict = NULL;
 	if (options->rate > 0 && options->frames == 0)
 		conflict = "--fps needs --frames";
-	else if (options->visibility_of != SM_NONE && options->samples > 1)
+	else if (options->visibility_of != SM_NONE && options->scene.samples > 1)
 		conflict = "--visibility has one sample a pixel: --samples 4 does not go with it";
 	else if (options->frames > 0 && strcmp(options->output, "-") == 0)
 		conflict = "--frames writes several files: -o - does not go with it";
@@ -157,10 +137,9 @@ static bool read_options(
 		.common = options_defaults(),
 		.rate_divisor = 1,
 		.visibility_of = SM_NONE,
-		.settings = array_zalloc((size_t)argc, sizeof(*options->settings)),
 	};
-	if (options->settings == NULL)
-		return error_no_memory(error);
+	if (!scene_options_init(&options->scene, argc, error))
+		return false;
 	int id;
 	while ((id = options_next(&render_command, argc, argv, error)) >= 0)
 		if (!read_flag(options, id, optarg, error))
@@ -169,21 +148,17 @@ static bool read_options(
 		return false;
 	if (options->common.help)
 		return true;
-	if (optind >= argc)
-		return options_error(error, &render_command, "SCENE is missing");
-	if (optind + 1 < argc)
-		return options_error(error, &render_command, "one SCENE is wanted, not also %.200s",
-			argv[optind + 1]);
-	options->scene = argv[optind];
+	if (!scene_options_argument(&options->scene, &render_command, argc, argv, error))
+		return false;
 	if (options->output == NULL)
-		options->output = default_output(options->scene);
+		options->output = default_output(options->scene.scene);
 	return options->output != NULL ? check_options(options, error) : error_no_memory(error);
 }
 
 static void finish_options(struct render_options *options)
 {
 	free(options->output);
-	free(options->settings);
+	scene_options_finish(&options->scene);
 }
 
 static bool is_same_file(const char *a, const char *b)
@@ -209,7 +184,7 @@ static bool check_output(const struct render_options *options, struct sm_error *
 	char path[PATH_MAX];
 	if (!output_path(options, 1, path, error))
 		return false;
-	if (is_same_file(path, options->scene))
+	if (is_same_file(path, options->scene.scene))
 		return error_set(
 			error, SM_ERROR_INPUT, "%.300s would be written over itself", path);
 	return output_check(path, error);
@@ -218,22 +193,15 @@ static bool check_output(const struct render_options *options, struct sm_error *
 static bool load_stage(
 	struct stage *stage, const struct render_options *options, struct sm_error *error)
 {
-	if (!stage_load(stage, options->scene, options->settings, options->setting_count, error))
+	if (!scene_options_load(&options->scene, stage, error))
 		return false;
-	if (options->width > 0) {
-		stage->output.width = options->width;
-		stage->output.height = options->height;
-	}
-	if (options->samples > 0)
-		stage->output.samples = options->samples;
-	if (options->technique != NULL)
-		stage->shadow.technique = options->technique;
-	if (options->map_size > 0)
-		stage->shadow.map_size = options->map_size;
+	if (options->width > 0)
+		stage_set_size(stage, options->width, options->height);
 	uint32_t lights = sm_scene_light_count(stage->scene);
 	if (options->visibility_of != SM_NONE && options->visibility_of >= lights)
 		return error_set(error, SM_ERROR_INPUT, "--visibility=%u: %.300s has %u light%s",
-			options->visibility_of, options->scene, lights, lights == 1 ? "" : "s");
+			options->visibility_of, options->scene.scene, lights,
+			lights == 1 ? "" : "s");
 	return true;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "load/defaults.h"
+#include "load/model.h"
 #include <cglm/cglm.h>
 #include <math.h>
 

@@ -2,7 +2,9 @@
 #ifndef LOAD_DEFAULTS_H
 #define LOAD_DEFAULTS_H
 
-#include "load/model.h"
+#include <smoothie.h>
+
+struct model_light;
 
 /** Where a scene's casters are, from which defaults follow. */
 struct frame {

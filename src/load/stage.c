@@ -362,6 +362,9 @@ static bool finish_stage(struct builder *builder, struct stage *stage, struct sm
 	struct plan *plan = &builder->plan;
 	const struct plan_shadow *shadow = &plan->shadow;
 	float aspect = (float)plan->output.width / (float)plan->output.height;
+	struct stage_framing framing = {
+		.frame = builder->frame, .light = plan->lights[0].desc, .open = plan->camera};
+	framing.light.name = NULL;
 	frame_complete_camera(&builder->frame, &plan->lights[0].desc, aspect, &plan->camera);
 	struct stage_motion motion;
 	if (!check_camera(&plan->camera, builder->source, error) ||
@@ -370,6 +373,7 @@ static bool finish_stage(struct builder *builder, struct stage *stage, struct sm
 	*stage = (struct stage){
 		.scene = builder->scene,
 		.camera = plan->camera,
+		.framing = framing,
 		.motion = motion,
 		.shadow = {.technique = shadow->technique,
 			.map_size = shadow->map,
@@ -417,6 +421,17 @@ void stage_finish(struct stage *stage)
 	sm_scene_destroy(stage->scene);
 	free(stage->technique);
 	*stage = (struct stage){0};
+}
+
+void stage_set_size(struct stage *stage, uint32_t width, uint32_t height)
+{
+	const struct stage_framing *framing = &stage->framing;
+	stage->output.width = width;
+	stage->output.height = height;
+	stage->camera = framing->open;
+	frame_complete_camera(
+		&framing->frame, &framing->light, (float)width / (float)height, &stage->camera);
+	stage->motion.camera = stage->camera;
 }
 
 bool stage_moves(const struct stage *stage)

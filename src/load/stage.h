@@ -2,7 +2,7 @@
 #ifndef LOAD_STAGE_H
 #define LOAD_STAGE_H
 
-#include <smoothie.h>
+#include "load/defaults.h"
 
 /** Pixels of the picture. */
 struct stage_output {
@@ -22,10 +22,18 @@ struct stage_motion {
 	struct sm_light_desc light_at_rest; /**< at time 0; without its name */
 };
 
+/** What a camera's defaults follow from. */
+struct stage_framing {
+	struct frame frame;
+	struct sm_light_desc light; /**< without its name */
+	struct sm_camera open;      /**< NaN where nothing was said */
+};
+
 /** All that the SCENE of a command line says, with what it leaves open filled in. */
 struct stage {
 	struct sm_scene *scene;
 	struct sm_camera camera;
+	struct stage_framing framing;
 	struct stage_motion motion;
 	struct sm_shadow_options shadow; /**< zero where nothing was said */
 	struct stage_output output;
@@ -49,6 +57,9 @@ struct stage {
 bool stage_load(struct stage *stage, const char *source, const char *const *settings,
 	size_t setting_count, struct sm_error *error);
 void stage_finish(struct stage *stage);
+
+/** Makes it a picture of another size, as the setting output.size does; its time is 0 again. */
+void stage_set_size(struct stage *stage, uint32_t width, uint32_t height);
 
 /** Whether its picture changes with time. */
 bool stage_moves(const struct stage *stage);

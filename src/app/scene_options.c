@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+#include "app/scene_options.h"
+#include "base/array.h"
+#include <getopt.h>
+#include <stdlib.h>
+
+bool scene_options_init(struct scene_options *options, int argc, struct sm_error *error)
+{
+	*options = (struct scene_options){
+		.settings = array_zalloc((size_t)argc, sizeof(*options->settings))};
+	return options->settings != NULL || error_no_memory(error);
+}
+
+void scene_options_finish(struct scene_options *options)
+{
+	free(options->settings);
+}
+
+bool scene_options_flag(struct scene_options *options, const struct command *command, int id,
+	const char *value, struct sm_error *error)
+{
+	switch (id) {
+	case FLAG_SAMPLES:
+		return (options_number(value, 1, 4, &options->samples) &&
+			       (options->samples == 1 || options->samples == 4)) ||
+		       options_error(error, command, "--samples %.40s: 1 or 4 is wanted", value);
+	case FLAG_MAP:
+		return options_number(value, 1, INT32_MAX, &options->map_size) ||
+		       options_error(
+			       error, command, "--map %.40s: a number of texels is wanted", value);
+	case FLAG_TECHNIQUE:
+		options->technique = value;
+		break;
+	case FLAG_SET:
+		options->settings[options->setting_count++] = value;
+		break;
+	}
+	return true;
+}
+
+bool scene_options_argument(struct scene_options *options, const struct command *command, int argc,
+	char **argv, struct sm_error *error)
+{
+	if (optind >= argc)
+		return options_error(error, command, "SCENE is missing");
+	if (optind + 1 < argc)
+		return options_error(
+			error, command, "one SCENE is wanted, not also %.200s", argv[optind + 1]);
+	options->scene = argv[optind];
+	return true;
+}
+
+bool scene_options_load(
+	const struct scene_options *options, struct stage *stage, struct sm_error *error)
+{
+	if (!stage_load(stage, options->scene, options->settings, options->setting_count, error))
+		return false;
+	if (options->samples > 0)
+		stage->output.samples = options->samples;
+	if (options->technique != NULL)
+		stage->shadow.technique = options->technique;
+	if (options->map_size > 0)
+		stage->shadow.map_size = options->map_size;
+	return true;
+}

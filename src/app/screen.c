@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: MIT */
+#include "app/screen.h"
+#include "base/array.h"
+#include "base/error.h"
+#include <GLES3/gl3.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_turned(const struct display_target *wanted)
+{
+	return wanted->rotation % 180 != 0;
+}
+
+/* A framebuffer of the screen's size, to be read from. */
+static bool init_pixels(struct screen *screen, struct sm_error *error)
+{
+	const struct display_target *wanted = &screen->wanted;
+	GLsizei width = (GLsizei)(is_turned(wanted) ? wanted->height : wanted->width);
+	GLsizei height = (GLsizei)(is_turned(wanted) ? wanted->width : wanted->height);
+	screen->pixels = array_alloc(wanted->height, 4 * (size_t)wanted->width);
+	if (screen->pixels == NULL)
+		return error_no_memory(error);
+	glGenFramebuffers(1, &screen->framebuffer);
+	glGenRenderbuffers(1, &screen->buffer);
+	glBindFramebuffer(GL_FRAMEBUFFER, screen->framebuffer);
+	glBindRenderbuffer(GL_RENDERBUFFER, screen->buffer);
+	glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+	glFramebufferRenderbuffer(
+		GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, screen->buffer);
+	return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE ||
+	       error_set(error, SM_ERROR_MACHINE, "the driver gives no framebuffer of %dx%d", width,
+		       height);
+}
+
+static bool is_same(const struct display_target *a, const struct display_target *b)
+{
+	return a->width == b->width && a->height == b->height && a->rotation == b->rotation &&
+	       a->takes_pixels == b->takes_pixels && memcmp(a->bits, b->bits, sizeof(a->bits)) == 0;
+}
+
+bool screen_fit(struct screen *screen, const struct display_target *wanted, struct stage *stage,
+	struct sm_error *error)
+{
+	if (is_same(&screen->wanted, wanted))
+		return true;
+	screen_finish(screen);
+	if (!target_init(&screen->target, TARGET_PICTURE, wanted->width, wanted->height,
+		    stage->output.samples, error))
+		return false;
+	stage_set_size(stage, wanted->width, wanted->height);
+	screen->wanted = *wanted;
+	if (!wanted->takes_pixels || init_pixels(screen, error))
+		return true;
+	screen_finish(screen);
+	return false;
+}
+
+static bool read_pixels(const struct screen *screen, struct sm_error *error)
+{
+	const struct display_target *wanted = &screen->wanted;
+	GLsizei width = (GLsizei)(is_turned(wanted) ? wanted->height : wanted->width);
+	GLsizei height = (GLsizei)(is_turned(wanted) ? wanted->width : wanted->height);
+	glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, screen->pixels);
+	GLenum code = glGetError();
+	return code == GL_NO_ERROR ||
+	       error_set(error, SM_ERROR_MACHINE, "reading the screen back fails (GL error 0x%04x)",
+		       code);
+}
+
+bool screen_draw(struct screen *screen, struct sm_renderer *renderer, const struct stage *stage,
+	struct sm_error *error)
+{
+	const struct display_target *wanted = &screen->wanted;
+	struct sm_view view = {
+		.camera = stage->camera,
+		.framebuffer = screen->target.framebuffer,
+		.width = wanted->width,
+		.height = wanted->height,
+		.visibility_of = SM_NONE,
+	};
+	struct sm_screen copy = {
+		.texture = screen->target.texture,
+		.width = wanted->width,
+		.height = wanted->height,
+		.framebuffer = screen->framebuffer,
+		.rotation = wanted->rotation,
+		.bits = {wanted->bits[0], wanted->bits[1], wanted->bits[2]},
+	};
+	if (!sm_renderer_draw(renderer, stage->scene, &view, error))
+		return false;
+	target_resolve(&screen->target);
+	return sm_renderer_copy_to_screen(renderer, &copy, error) &&
+	       (!wanted->takes_pixels || read_pixels(screen, error));
+}
+
+void screen_finish(struct screen *screen)
+{
+	if (screen->framebuffer != 0) {
+		glDeleteFramebuffers(1, &screen->framebuffer);
+		glDeleteRenderbuffers(1, &screen->buffer);
+	}
+	free(screen->pixels);
+	target_finish(&screen->target);
+	*screen = (struct screen){0};
+}

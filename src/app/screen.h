@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef APP_SCREEN_H
+#define APP_SCREEN_H
+
+#include "app/target.h"
+#include "display.h"
+#include "load/stage.h"
+
+/** Pictures of a stage in the form that a display wants; zero is empty. */
+struct screen {
+	struct display_target wanted; /**< what all below was made for */
+	struct target target;
+	/* For displays that take pixels: */
+	uint32_t framebuffer, buffer; /**< GL names, as large as the screen */
+	uint8_t *pixels;              /**< R,G,B,A of the screen, rows from the bottom; owned */
+};
+
+/** Makes it, and the stage, what the display wants. Where that differs from before, the stage's
+ *  time is 0 again. Fails as target_init() does. */
+bool screen_fit(struct screen *screen, const struct display_target *wanted, struct stage *stage,
+	struct sm_error *error);
+
+/** Draws the stage as it is at the moment into `pixels` or the context's framebuffer 0. */
+bool screen_draw(struct screen *screen, struct sm_renderer *renderer, const struct stage *stage,
+	struct sm_error *error);
+
+/** Deletes what is there; needs the context. */
+void screen_finish(struct screen *screen);
+
+#endif
