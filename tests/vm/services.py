@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+"""Services that a session on a seat has, in the guest."""
+
+from suite import Skip
+
+NOBODY = 65534
+UDEVD = '/lib/systemd/systemd-udevd'
+
+
+def start_udev(bench):
+    """Starts udevd, if it does not run yet, and lets it learn of the cards."""
+    if bench.guest.run(f'test -x {UDEVD}')[0] != 0:
+        raise Skip(f'there is no {UDEVD} (package udev)')
+    bench.guest.check(f'test -e /run/udev/control || {UDEVD} --daemon; '
+                      'udevadm trigger --subsystem-match=drm; udevadm settle', 40)
+
+
+def start_seatd(bench, user='nobody'):
+    """Starts seatd, whose socket is the user's; returns its Job."""
+    if bench.guest.run('command -v seatd')[0] != 0:
+        raise Skip('there is no seatd')
+    seatd = bench.guest.start(f'exec seatd -l debug -u {user}', 'seatd')
+    seatd.says('seatd started', 20)
+    return seatd

@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs one suite of cases in guests and prints TAP: suite.py NAME BUILD_FOLDER.
+
+A suite is a module cases_NAME with a list GUESTS. A guest is booted once for all its cases; a
+case is a function of a Bench whose docstring says what is so. SMOOTHIE_VM=required makes a
+failure of what this machine lacks, SMOOTHIE_VM=no runs nothing."""
+
+import collections
+import importlib
+import os
+import shutil
+import signal
+import sys
+import time
+import traceback
+
+import image as images
+import machine
+
+# What a guest has beside QEMU's defaults, the drivers that it loads, what is run in it.
+Guest = collections.namedtuple('Guest', 'devices modules cases')
+
+
+class Skip(Exception):
+    """Why a case cannot be run here."""
+
+
+class Bench:
+    """What a case works with: the guest, the folders of the build, the cards."""
+
+    def __init__(self, build, guest, image):
+        self.build, self.guest, self.image = build, guest, image
+        self._cards = {}
+
+    def tool(self, name):
+        return os.path.join(self.build, 'tests', 'vm', name)
+
+    def load(self, *modules):
+        """Loads drivers, and learns which cards are theirs."""
+        for module in modules:
+            if module == 'vkms' and self.image.no_vkms:
+                continue
+            self.guest.check(f'modprobe -d {self.image.folder} {module}')
+        lines = self.guest.check('grep -s . /sys/kernel/debug/dri/?/name || true')
+        self._cards = {line.split(':', 1)[1].split()[0]: f'/dev/dri/card{line.split("/")[-2]}'
+                       for line in lines.splitlines()}
+
+    def card(self, driver):
+        """The device of a driver."""
+        if driver == 'vkms' and driver not in self._cards:
+            raise Skip(self.image.no_vkms)
+        return self._cards[driver]
+
+    def debug(self, driver):
+        """The card's folder in debugfs."""
+        return '/sys/kernel/debug/dri/' + self.card(driver)[-1]
+
+    def connector(self, driver):
+        """The folder of its first connector in sysfs."""
+        card = os.path.basename(self.card(driver))
+        return self.guest.check(f'ls -d /sys/class/drm/{card}-*-1 /sys/class/drm/{card}-*-[2-9] '
+                                '2>/dev/null | grep -v Writeback | head -n 1')
+
+
+def required():
+    return os.environ.get('SMOOTHIE_VM') == 'required'
+
+
+def tell(result, case, note=''):
+    """Prints the line of a case; its docstring says what is so."""
+    print(f'{result} - {" ".join(case.__doc__.split()).rstrip(".")}{note}', flush=True)
+
+
+def run_case(number, case, bench):
+    """Runs it, prints its line, and returns whether it passed."""
+    start = time.monotonic()
+    try:
+        if bench.guest.failed:
+            raise machine.Hang('the guest hung before')
+        try:
+            case(bench)
+        finally:
+            if not bench.guest.failed:
+                bench.guest.stop_jobs()
+    except Skip as skip:
+        tell(f'not ok {number}' if required() else f'ok {number}', case, f' # SKIP {skip}')
+        return not required()
+    except Exception as error:  # a case may fail in any way
+        tell(f'not ok {number}', case)
+        for line in traceback.format_exc().splitlines():
+            print(f'# {line}')
+        if not isinstance(error, machine.Late):
+            bench.guest.show_console()
+        return False
+    tell(f'ok {number}', case, f' ({time.monotonic() - start:.1f} s)')
+    return True
+
+
+def run_guest(guest, build, image, number):
+    """Boots it and runs its cases, numbered from here; returns how many failed."""
+    with machine.Machine(image, guest.devices) as booted:
+        print(f'# up after {booted.boot_time:.1f} s', flush=True)
+        bench = Bench(build, booted, image)
+        bench.load(*guest.modules)
+        return sum(not run_case(number + i, case, bench) for i, case in enumerate(guest.cases))
+
+
+def skip_all(why):
+    if required():
+        print(f'Bail out! {why}')
+        return 1
+    print(f'1..0 # SKIP {why}')
+    return 0
+
+
+def main(name, build):
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # so that guests are stopped
+    if os.environ.get('SMOOTHIE_VM') == 'no':
+        return skip_all('SMOOTHIE_VM=no')
+    if not shutil.which(machine.QEMU):
+        return skip_all(f'there is no {machine.QEMU} (package qemu-system-x86)')
+    try:
+        image = images.find(lambda text: print(f'# {text}', flush=True))
+    except (images.Missing, OSError) as error:
+        return skip_all(error)
+    guests = importlib.import_module(f'cases_{name}').GUESTS
+    failed, number = 0, 1
+    print(f'1..{sum(len(guest.cases) for guest in guests)}', flush=True)
+    for guest in guests:
+        try:
+            failed += run_guest(guest, build, image, number)
+        except (machine.Hang, AssertionError) as error:
+            print(f'Bail out! a guest could not be set up: {error}')
+            return 1
+        number += len(guest.cases)
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1], os.path.abspath(sys.argv[2])))
