@@ -219,11 +219,15 @@ size_t display_poll(
 	return count;
 }
 
-uint64_t display_tick(const struct display *display, uint32_t *numerator, uint32_t *denominator)
+uint64_t display_tick(const struct display *display)
+{
+	return display->clock.started ? display->clock.tick + 1 : 0;
+}
+
+void display_get_refresh(const struct display *display, uint32_t *numerator, uint32_t *denominator)
 {
 	*numerator = display->clock.refresh.numerator;
 	*denominator = display->clock.refresh.denominator;
-	return display->clock.started ? display->clock.tick + 1 : 0;
 }
 
 bool display_is_on(const struct display *display)

@@ -72,8 +72,11 @@ bool display_begin(struct display *display, struct display_target *target, struc
 bool display_end(struct display *display, const uint8_t *rgba, struct sm_error *error);
 
 /** The vertical blank, counted from that of the first frame, at which the next frame will be shown
- *  if it is drawn in time; and the blanks in a second, as a ratio. */
-uint64_t display_tick(const struct display *display, uint32_t *numerator, uint32_t *denominator);
+ *  if it is drawn in time. */
+uint64_t display_tick(const struct display *display);
+
+/** Vertical blanks a second, as a ratio. */
+void display_get_refresh(const struct display *display, uint32_t *numerator, uint32_t *denominator);
 
 /** Whether a monitor shows the picture, or would if the last frame were through. */
 bool display_is_on(const struct display *display);

@@ -18,27 +18,22 @@ void display_clock_set_refresh(struct display_clock *clock, struct refresh refre
 	clock->refresh = refresh;
 }
 
-uint64_t display_clock_flip(struct display_clock *clock, uint32_t count, int64_t time, bool by_time)
+uint64_t display_clock_flip(struct display_clock *clock, bool waits, int64_t time)
 {
 	int64_t period = display_clock_period(clock);
 	uint64_t steps = 0;
-	if (clock->started) {
-		/* period > 0: rates end well below 1 GHz. */
-		int64_t elapsed = time > clock->time ? time - clock->time : 0;
-		steps = (uint64_t)((elapsed + period / 2) / (period > 0 ? period : 1));
-		if (count != 0 && clock->counts && !by_time)
-			steps = count - clock->count;
-	}
+	/* period > 0: rates end well below 1 GHz. */
+	if (clock->started && time > clock->time)
+		steps = (uint64_t)((time - clock->time + period / 2) / period);
 	clock->tick += steps;
 	clock->time = time;
-	clock->count = count;
-	clock->counts = count != 0;
+	clock->waits = waits;
 	clock->started = true;
 	return steps;
 }
 
 int64_t display_clock_next(const struct display_clock *clock)
 {
-	return clock->counts || !clock->started ? clock->time
-						: clock->time + display_clock_period(clock);
+	return clock->waits || !clock->started ? clock->time
+					       : clock->time + display_clock_period(clock);
 }

@@ -4,27 +4,27 @@
 
 #include "kms_mode.h"
 
-/** Counts the vertical blanks of a display since its first frame, from what page-flip events tell.
- *  Zero, with a refresh, is a clock that has not started. */
+/**
+ * Counts the vertical blanks of a display since its first frame, by the times at which page-flip
+ * events say that frames appeared. The drivers' own counts would be no better: they jump when
+ * blanks were switched off in between, and virtual displays have none.
+ *
+ * Zero, with a refresh, is a clock that has not started.
+ */
 struct display_clock {
 	struct refresh refresh;
-	uint64_t tick;  /* of the frame that is shown */
-	int64_t time;   /* ns of the monotonic clock at which it appeared */
-	uint32_t count; /* the driver's own, then */
+	uint64_t tick; /* of the frame that is shown */
+	int64_t time;  /* ns of the monotonic clock at which it appeared */
 	bool started;
-	bool counts; /* the driver counts and waits for vertical blanks; virtual ones do not */
+	bool waits; /* the driver waits for vertical blanks; virtual ones do not */
 };
 
 /** A new rate from here on; the time that the ticks stand for stays. */
 void display_clock_set_refresh(struct display_clock *clock, struct refresh refresh);
 
-/**
- * A frame has appeared. count: of vertical blanks by the driver, 0: it has none.
- * by_time: its counts before and after have nothing in common, as when a mode was set.
- * Returns the ticks since the frame before, 0 for the first.
- */
-uint64_t display_clock_flip(
-	struct display_clock *clock, uint32_t count, int64_t time, bool by_time);
+/** A frame has appeared. waits: the driver has waited for a vertical blank to show it. Returns the
+ *  ticks since the frame before, 0 for the first. */
+uint64_t display_clock_flip(struct display_clock *clock, bool waits, int64_t time);
 
 /** Length of a tick, ns. */
 int64_t display_clock_period(const struct display_clock *clock);

@@ -24,9 +24,9 @@ static int64_t thread_time(void)
 	return time.tv_sec * SECOND + time.tv_nsec;
 }
 
-void display_flip_done(struct display *display, uint32_t count, int64_t time)
+void display_flip_done(struct display *display, bool waited, int64_t time)
 {
-	uint64_t steps = display_clock_flip(&display->clock, count, time, display->flip_sets_mode);
+	uint64_t steps = display_clock_flip(&display->clock, waited, time);
 	if (display->flip_follows && !display->flip_sets_mode && steps > 1)
 		display->stats.missed += steps - 1;
 	display->stats.flips++;
@@ -39,17 +39,21 @@ void display_flip_done(struct display *display, uint32_t count, int64_t time)
 		display->shown = display->pending;
 		display->pending = 0;
 	}
-	log_debug("flip: frame %llu shows tick %llu", (unsigned long long)display->stats.flips,
+	log_debug("flip: frame %llu shows tick %llu at %llu",
+		(unsigned long long)display->stats.flips, (unsigned long long)display->drawn_tick,
 		(unsigned long long)display->clock.tick);
 }
 
+/* A driver without vertical blanks counts none. */
+/* A driver without vertical blanks counts none. */
 static void on_flip(
 	int fd, unsigned count, unsigned seconds, unsigned microseconds, unsigned crtc, void *data)
 {
 	struct display *display = data;
 	(void)fd, (void)crtc;
 	if (display->flip_pending)
-		display_flip_done(display, count, seconds * SECOND + microseconds * INT64_C(1000));
+		display_flip_done(
+			display, count != 0, seconds * SECOND + microseconds * INT64_C(1000));
 }
 
 /* An event that never comes must not stop the picture for ever. */
@@ -61,7 +65,7 @@ static bool check_deadline(struct display *display, struct sm_error *error)
 		return display_device_removed(display, error);
 	log_warning("%s: the driver does not tell that a frame is shown: going on",
 		display->output.name);
-	display_flip_done(display, 0, display_now());
+	display_flip_done(display, false, display_now());
 	return true;
 }
 
@@ -97,6 +101,7 @@ bool display_begin(struct display *display, struct display_target *target, struc
 	else if (display->fence >= 0)
 		close(display->fence);
 	display->fence = -1;
+	display->drawn_tick = display_tick(display);
 	*target = display->target;
 	return swapchain_begin(display->swapchain, error);
 }
@@ -135,7 +140,7 @@ static void commit_done(struct display *display, uint32_t framebuffer)
 	display->stale = false;
 	display->failures = 0;
 	if (display->flip_sets_mode && !display->kms->set_mode_sends_event)
-		display_flip_done(display, 0, display_now());
+		display_flip_done(display, false, display_now());
 }
 
 /* Nothing came of the frame: it will be asked for again, when that may help. */

@@ -52,11 +52,16 @@ bool display_end(struct display *display, const uint8_t *rgba, struct sm_error *
 	return refuse(error);
 }
 
-uint64_t display_tick(const struct display *display, uint32_t *numerator, uint32_t *denominator)
+uint64_t display_tick(const struct display *display)
+{
+	(void)display;
+	return 0;
+}
+
+void display_get_refresh(const struct display *display, uint32_t *numerator, uint32_t *denominator)
 {
 	(void)display;
 	*numerator = *denominator = 1;
-	return 0;
 }
 
 bool display_is_on(const struct display *display)

@@ -57,9 +57,10 @@ struct display {
 
 	uint32_t shown, pending; /* framebuffers; 0: none */
 	bool flip_pending, flip_sets_mode;
-	bool flip_follows; /* was begun at once after the one before */
-	uint32_t failures; /* of commits, in a row */
-	int fence;         /* of the last commit; -1: none */
+	uint64_t drawn_tick; /* that the last frame was drawn for */
+	bool flip_follows;   /* was begun at once after the one before */
+	uint32_t failures;   /* of commits, in a row */
+	int fence;           /* of the last commit; -1: none */
 
 	/* ns of the monotonic clock */
 	int64_t flip_deadline, next_look, next_take, not_before;
@@ -92,7 +93,8 @@ void display_drop_output(struct display *display, bool off);
 bool display_read_events(struct display *display, struct sm_error *error);
 /** Waits for a frame on its way, a second at most. */
 void display_await_flip(struct display *display);
-/** The frame on its way has appeared. */
-void display_flip_done(struct display *display, uint32_t count, int64_t time);
+/** The frame on its way has appeared, at a time of the monotonic clock; waited: for a vertical
+ *  blank. */
+void display_flip_done(struct display *display, bool waited, int64_t time);
 
 #endif

@@ -226,8 +226,9 @@ static bool draw_frame(struct show *show, struct sm_error *error)
 {
 	struct display_target wanted;
 	uint32_t numerator, denominator;
-	uint64_t tick = display_tick(show->display, &numerator, &denominator);
-	double seconds = motion_time(tick + 1, numerator, denominator);
+	display_get_refresh(show->display, &numerator, &denominator);
+	/* The frames of motion_time() count from 1. */
+	double seconds = motion_time(display_tick(show->display) + 1, numerator, denominator);
 	return display_begin(show->display, &wanted, error) && make_renderer(show, error) &&
 	       screen_fit(&show->screen, &wanted, &show->stage, error) &&
 	       stage_set_time(&show->stage, seconds, error) &&
