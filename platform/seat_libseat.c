@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/log.h"
 #include "seat_backend.h"
+#include <errno.h>
 #include <libseat.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -31,9 +33,19 @@ static void disable(struct libseat *libseat, void *data)
 	libseat_disable_seat(libseat);
 }
 
+/* libseat_dispatch() without waiting does not notice an end of the connection. */
+static bool is_connected(const struct seat *seat)
+{
+	struct pollfd connection = {.fd = seat->fd};
+	if (poll(&connection, 1, 0) != 1)
+		return true;
+	errno = ECONNRESET;
+	return false;
+}
+
 static bool dispatch(struct seat *seat, int timeout)
 {
-	return libseat_dispatch(seat->manager, timeout) >= 0;
+	return is_connected(seat) && libseat_dispatch(seat->manager, timeout) >= 0;
 }
 
 static int open_device(struct seat *seat, const char *path, int *id)
