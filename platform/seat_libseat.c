@@ -51,6 +51,10 @@ static bool dispatch(struct seat *seat, int timeout)
 static int open_device(struct seat *seat, const char *path, int *id)
 {
 	int fd = -1;
+	if (path[0] == '\0') { /* seatd would stop at an assertion */
+		errno = ENOENT;
+		return -1;
+	}
 	*id = libseat_open_device(seat->manager, path, &fd);
 	return *id < 0 ? -1 : fd;
 }

@@ -104,6 +104,7 @@ static void only_devices_of_a_seat_are_opened(void **state)
 	} cases[] = {
 		{"/dev/null", "it is no device of a seat"},
 		{"/dev/missing", "No such file or directory"},
+		{"", "No such file or directory"},
 	};
 	struct seat *seat = seat_create(NULL);
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
