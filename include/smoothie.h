@@ -173,6 +173,28 @@ SM_API struct sm_renderer *sm_renderer_create(sm_get_proc get_proc, struct sm_er
 /** Frees every GL object the renderer made; NULL is fine. */
 SM_API void sm_renderer_destroy(struct sm_renderer *renderer);
 
+/**
+ * Where the caller keeps compiled programs, so that a later renderer on the same driver need not
+ * compile them. Entries are bytes under a name of 32 hexadecimal digits. Each tells the driver and
+ * the sources that it is of, and is checked: a store may lose, cut, mix up or damage them.
+ * The functions are called within sm_renderer_draw() and sm_renderer_copy_to_screen().
+ */
+struct sm_program_store {
+	void *data; /**< the caller's, handed to both functions */
+	/** Returns the size of an entry, or 0 when there is none, and writes it to `bytes` if that
+	 *  is no more than `capacity`. NULL: nothing is loaded. */
+	size_t (*load)(void *data, const char *name, void *bytes, size_t capacity);
+	/** Keeps an entry, in the place of one of that name; it may fail to. NULL: nothing is
+	 *  saved. */
+	void (*save)(void *data, const char *name, const void *bytes, size_t size);
+};
+
+/** Sets the store for programs that are made from now on; NULL, the default, for none. *store is
+ *  copied; its data must live until another store is set or the renderer is destroyed. Where the
+ *  driver has no program binaries, the store is not used. */
+SM_API void sm_renderer_set_program_store(
+	struct sm_renderer *renderer, const struct sm_program_store *store);
+
 enum sm_falloff {
 	SM_FALLOFF_DEFAULT,
 	SM_FALLOFF_LINEAR,
@@ -255,6 +277,9 @@ struct sm_frame_stats {
 	uint64_t fin_vertices;
 	uint64_t uploaded_bytes;
 	double silhouette_ms; /**< processor time for silhouettes and fins */
+	/** Since the renderer was created, also for screens: programs compiled from source, and
+	 *  loaded from the store instead. */
+	uint32_t programs_compiled, programs_loaded;
 };
 
 SM_API void sm_renderer_get_stats(const struct sm_renderer *renderer, struct sm_frame_stats *stats);

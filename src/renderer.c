@@ -32,6 +32,13 @@ void sm_renderer_destroy(struct sm_renderer *renderer)
 	free(renderer);
 }
 
+void sm_renderer_set_program_store(
+	struct sm_renderer *renderer, const struct sm_program_store *store)
+{
+	struct gpu *gpu = &renderer->gpu;
+	program_binaries_init(&gpu->programs.binaries, store, &gpu->caps, sm_version());
+}
+
 bool sm_renderer_set_shadows(struct sm_renderer *renderer, const struct sm_shadow_options *options,
 	struct sm_error *error)
 {
@@ -83,6 +90,8 @@ bool sm_renderer_copy_to_screen(
 void sm_renderer_get_stats(const struct sm_renderer *renderer, struct sm_frame_stats *stats)
 {
 	*stats = renderer->gpu.stats;
+	stats->programs_compiled = renderer->gpu.programs.compiled;
+	stats->programs_loaded = renderer->gpu.programs.loaded;
 }
 
 void sm_renderer_describe(const struct sm_renderer *renderer, sm_fact fact, void *data)

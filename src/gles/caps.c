@@ -76,6 +76,7 @@ bool caps_init(struct caps *caps, struct gl *gl, struct sm_error *error)
 	caps->texture_gather = caps->major > 3 || caps->minor >= 1;
 	gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &caps->max_texture_size);
 	gl->GetIntegerv(GL_MAX_VIEWPORT_DIMS, caps->max_viewport);
+	gl->GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &caps->program_binary_formats);
 	find_extensions(caps, gl);
 	return find_smoothie_format(caps, gl, error);
 }
@@ -100,4 +101,6 @@ void caps_describe(const struct caps *caps, sm_fact fact, void *data)
 	fact(data, "linear depth", "from the depth texture, by near and far");
 	snprintf(text, sizeof(text), "MIN blend in %s", caps->smoothie_format.name);
 	fact(data, "smoothie buffer", text);
+	fact(data, "compiled programs",
+		caps->program_binary_formats > 0 ? "can be kept" : "cannot be kept");
 }

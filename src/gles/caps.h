@@ -15,6 +15,7 @@ struct caps {
 	const char *renderer, *vendor, *version, *shading_language; /* owned by the context */
 	int major, minor;
 	GLint max_texture_size, max_viewport[2];
+	GLint program_binary_formats;     /* may be 0 */
 	bool texture_gather;              /* core in 3.1 */
 	bool EXT_color_buffer_float;      /* RG32F, RG16F and the like as targets */
 	bool EXT_color_buffer_half_float; /* RG16F as a target */

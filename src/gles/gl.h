@@ -63,6 +63,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(GETERROR, GetError) \
 	X(GETFRAMEBUFFERATTACHMENTPARAMETERIV, GetFramebufferAttachmentParameteriv) \
 	X(GETINTEGERV, GetIntegerv) \
+	X(GETPROGRAMBINARY, GetProgramBinary) \
 	X(GETPROGRAMINFOLOG, GetProgramInfoLog) \
 	X(GETPROGRAMIV, GetProgramiv) \
 	X(GETSHADERINFOLOG, GetShaderInfoLog) \
@@ -71,6 +72,8 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(GETSTRINGI, GetStringi) \
 	X(GETUNIFORMLOCATION, GetUniformLocation) \
 	X(LINKPROGRAM, LinkProgram) \
+	X(PROGRAMBINARY, ProgramBinary) \
+	X(PROGRAMPARAMETERI, ProgramParameteri) \
 	X(READBUFFER, ReadBuffer) \
 	X(SAMPLERPARAMETERI, SamplerParameteri) \
 	X(SCISSOR, Scissor) \

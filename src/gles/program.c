@@ -93,7 +93,24 @@ static void set_samplers(struct gl *gl, const struct program *program)
 	gl->Uniform1i(program->uniform.falloff, UNIT_FALLOFF);
 }
 
-static struct program *program_create(struct gl *gl, struct program_key key, struct sm_error *error)
+/* From the caller's store if it can be. */
+static bool make_program(struct program_cache *cache, struct gl *gl, GLuint name,
+	struct program_key key, struct sm_error *error)
+{
+	if (program_binary_load(&cache->binaries, gl, name, key)) {
+		cache->loaded++;
+		return true;
+	}
+	program_binary_announce(&cache->binaries, gl, name);
+	if (!link_program(gl, name, key, error))
+		return false;
+	cache->compiled++;
+	program_binary_save(&cache->binaries, gl, name, key);
+	return true;
+}
+
+static struct program *program_create(
+	struct program_cache *cache, struct gl *gl, struct program_key key, struct sm_error *error)
 {
 	struct program *program = calloc(1, sizeof(*program));
 	if (program == NULL) {
@@ -102,7 +119,7 @@ static struct program *program_create(struct gl *gl, struct program_key key, str
 	}
 	program->key = key;
 	program->name = gl_create_program(gl);
-	if (!link_program(gl, program->name, key, error)) {
+	if (!make_program(cache, gl, program->name, key, error)) {
 		gl_delete_program(gl, &program->name);
 		free(program);
 		return NULL;
@@ -130,7 +147,7 @@ const struct program *program_use(
 		error_no_memory(error);
 		return NULL;
 	}
-	struct program *program = program_create(gl, key, error);
+	struct program *program = program_create(cache, gl, key, error);
 	if (program != NULL)
 		cache->programs[cache->count++] = program;
 	return program;

@@ -2,8 +2,7 @@
 #ifndef GLES_PROGRAM_H
 #define GLES_PROGRAM_H
 
-#include "gles/gl.h"
-#include "gles/shader_source.h"
+#include "gles/program_binary.h"
 
 /* Every uniform any program has; a program lacks those its variant does not use. */
 /* clang-format off */
@@ -30,6 +29,8 @@ struct program {
 struct program_cache {
 	struct program **programs; /* owned, each on its own so that pointers stay */
 	size_t count, capacity;
+	struct program_binaries binaries;
+	uint32_t compiled, loaded; /* programs, by where they came from */
 };
 
 /** The program of that variant, made on first use and put in use; owned by the cache. NULL on
