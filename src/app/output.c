@@ -103,12 +103,12 @@ static bool write_directly(const char *path, const void *bytes, size_t size, str
 	return fail(error, is_standard_output(path) ? "standard output" : path, errno);
 }
 
-/* mkstemp() makes files for the owner alone; give what open() would have given. */
-static bool set_permissions(int fd)
+/* What open() gives to a new file. */
+static mode_t usual_mode(void)
 {
 	mode_t mask = umask(0);
 	umask(mask);
-	return fchmod(fd, 0666 & ~mask) == 0;
+	return 0666 & ~mask;
 }
 
 static int open_temporary(char *temporary)
@@ -137,18 +137,31 @@ static bool settle_temporary(const char *temporary, const char *target, bool who
 	return settled;
 }
 
-bool output_write(const char *path, const void *bytes, size_t size, struct sm_error *error)
+/* Puts a whole file of that mode in the place of path. */
+static bool replace(
+	const char *path, const void *bytes, size_t size, mode_t mode, struct sm_error *error)
 {
-	char target[PATH_MAX], folder[PATH_MAX], temporary[PATH_MAX + sizeof("/.smoothie-XXXXXX")];
-	if (is_standard_output(path) || is_device(path))
-		return write_directly(path, bytes, size, error);
+	static const char suffix[] = "/" OUTPUT_TEMPORARY "XXXXXX";
+	char target[PATH_MAX], folder[PATH_MAX], temporary[PATH_MAX + sizeof(suffix)];
 	if (!resolve(path, target, error))
 		return false;
 	strcpy(folder, target);
-	snprintf(temporary, sizeof(temporary), "%s/.smoothie-XXXXXX", dirname(folder));
+	snprintf(temporary, sizeof(temporary), "%s%s", dirname(folder), suffix);
 	int fd = open_temporary(temporary);
 	if (fd < 0)
 		return fail(error, path, errno);
-	bool whole = close_written(fd, set_permissions(fd) && write_all(fd, bytes, size));
+	bool whole = close_written(fd, fchmod(fd, mode) == 0 && write_all(fd, bytes, size));
 	return settle_temporary(temporary, target, whole) || fail(error, path, errno);
+}
+
+bool output_write(const char *path, const void *bytes, size_t size, struct sm_error *error)
+{
+	if (is_standard_output(path) || is_device(path))
+		return write_directly(path, bytes, size, error);
+	return replace(path, bytes, size, usual_mode(), error);
+}
+
+bool output_write_private(const char *path, const void *bytes, size_t size, struct sm_error *error)
+{
+	return replace(path, bytes, size, S_IRUSR | S_IWUSR, error);
 }

@@ -17,4 +17,10 @@ bool output_check(const char *path, struct sm_error *error);
  */
 bool output_write(const char *path, const void *bytes, size_t size, struct sm_error *error);
 
+/** output_write() of a file that is for its owner alone, whatever its name. */
+bool output_write_private(const char *path, const void *bytes, size_t size, struct sm_error *error);
+
+/** How the names of temporary files start. */
+#define OUTPUT_TEMPORARY ".smoothie-"
+
 #endif

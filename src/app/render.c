@@ -2,6 +2,7 @@
 #include "app/facts.h"
 #include "app/output.h"
 #include "app/png.h"
+#include "app/program_store.h"
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/scene_options.h"
@@ -55,6 +56,7 @@ struct render_options {
 struct render {
 	struct stage stage;
 	struct platform *platform;
+	struct program_store programs;
 	struct sm_renderer *renderer;
 	struct target target;
 	uint8_t *pixels; /* R,G,B,A of the whole target */
@@ -231,6 +233,8 @@ static bool start(
 	if (render->renderer == NULL || !init_target(render, options, error) ||
 		!sm_renderer_set_shadows(render->renderer, &render->stage.shadow, error))
 		return false;
+	program_store_init(&render->programs);
+	sm_renderer_set_program_store(render->renderer, &render->programs.calls);
 	glFinish();
 	stopwatch_lap(&render->stopwatch, "create renderer");
 	return true;
@@ -316,6 +320,8 @@ static void print_stats(const struct render *render, FILE *file)
 	facts_format(&facts, "fin vertices", "%" PRIu64, stats.fin_vertices);
 	facts_format(&facts, "uploaded bytes", "%" PRIu64, stats.uploaded_bytes);
 	facts_format(&facts, "silhouette time", "%.3f ms", stats.silhouette_ms);
+	facts_format(&facts, "programs compiled", "%" PRIu32, stats.programs_compiled);
+	facts_format(&facts, "programs loaded", "%" PRIu32, stats.programs_loaded);
 	facts_end(&facts);
 }
 
@@ -324,6 +330,7 @@ static void finish(struct render *render)
 	free(render->pixels);
 	target_finish(&render->target);
 	sm_renderer_destroy(render->renderer);
+	program_store_finish(&render->programs);
 	platform_destroy(render->platform);
 	stage_finish(&render->stage);
 }

@@ -10,8 +10,8 @@
 static void test_driver(void **state)
 {
 	(void)state;
-	static const char *const lines[] = {
-		"smoothie: ", "\ndevice: surfaceless\n", "\nEGL vendor: ", "\nEGL version: "};
+	static const char *const lines[] = {"smoothie: ", "\ndevice: surfaceless\n",
+		"\nEGL vendor: ", "\nEGL version: ", "\ncompiled programs: "};
 	struct outcome outcome = RUN("info", "--device", "surfaceless");
 	ASSERT_LINES(&outcome, lines);
 	outcome_finish(&outcome);
