@@ -20,6 +20,9 @@ bool node_init(struct node *node, const char *path, bool debug, struct sm_error 
  *  the node is closed. */
 struct gbm_device *node_create_gbm(int fd, bool debug);
 
+/** Writes the path of the primary node beside a render node; false when there is none. */
+bool node_primary(const char *path, char *primary, size_t size);
+
 /** Closes whatever init has opened. */
 void node_finish(struct node *node);
 

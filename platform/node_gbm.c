@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <gbm.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include <xf86drm.h>
@@ -50,6 +51,21 @@ bool node_init(struct node *node, const char *path, bool debug, struct sm_error 
 	if (node->gbm == NULL)
 		return error_set(error, SM_ERROR_MACHINE, "it has no GBM driver");
 	return true;
+}
+
+bool node_primary(const char *path, char *primary, size_t size)
+{
+	int fd = open(path, O_RDWR | O_CLOEXEC);
+	char *name = fd >= 0 && drmGetNodeTypeFromFd(fd) == DRM_NODE_RENDER
+			     ? drmGetPrimaryDeviceNameFromFd(fd)
+			     : NULL;
+	bool fits = name != NULL && strlen(name) < size;
+	if (fits)
+		strcpy(primary, name);
+	free(name);
+	if (fd >= 0)
+		close(fd);
+	return fits;
 }
 
 void node_finish(struct node *node)

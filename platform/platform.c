@@ -50,19 +50,40 @@ error:
 	return NULL;
 }
 
+static bool is_device(const char *device, struct sm_error *error)
+{
+	return strcmp(device, surfaceless) == 0 || strchr(device, '/') != NULL ||
+	       error_set(error, SM_ERROR_INPUT,
+		       "no device \"%s\": give \"surfaceless\" or the path of a DRM node, such as "
+		       "/dev/dri/renderD128",
+		       device);
+}
+
+/* GBM needs a GPU's driver on a render node; where the display has a node but no GPU, Mesa draws in
+ * software on the primary node alone. */
+static struct platform *open_instead(const char *device, bool debug)
+{
+	char primary[64];
+	struct sm_error why;
+	struct platform *platform = NULL;
+	if (node_primary(device, primary, sizeof(primary)))
+		platform = open_device(primary, debug, &why);
+	return platform != NULL ? platform : open_device(surfaceless, debug, &why);
+}
+
 static struct platform *open_named(const char *device, bool debug, struct sm_error *error)
 {
 	struct sm_error why;
-	if (strcmp(device, surfaceless) != 0 && strchr(device, '/') == NULL) {
-		error_set(error, SM_ERROR_INPUT,
-			"no device \"%s\": give \"surfaceless\" or the path of a DRM node, such as "
-			"/dev/dri/renderD128",
-			device);
+	if (!is_device(device, error))
 		return NULL;
-	}
 	struct platform *platform = open_device(device, debug, &why);
+	if (platform == NULL && why.status == SM_ERROR_MACHINE && strcmp(device, surfaceless) != 0)
+		platform = open_instead(device, debug);
 	if (platform == NULL)
 		error_set(error, why.status, "device %s does not work: %s", device, why.text);
+	else if (strcmp(platform->device, device) != 0)
+		log_warning("device %s does not work: %s; going on with %s", device, why.text,
+			platform->device);
 	return platform;
 }
 

@@ -13,6 +13,8 @@ struct platform;
  *
  * device: "surfaceless" (the driver chooses), the path of a DRM node (through GBM), or NULL for the
  * first that works of the render nodes, the primary nodes and surfaceless.
+ * A node that is there but does not work is replaced, with a warning, by its GPU's primary node or
+ * else surfaceless.
  * debug: ask for a debug context.
  * Fails (INPUT) on a device that cannot be one, (MACHINE) when none works.
  */
