@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #define _GNU_SOURCE /* ppoll() */
 #include "app/facts.h"
+#include "app/program_store.h"
 #include "app/report.h"
 #include "app/scene_options.h"
 #include "app/screen.h"
@@ -64,6 +65,7 @@ struct show {
 	struct stage stage;
 	int signals; /* descriptor; -1: none */
 	struct display *display;
+	struct program_store programs;
 	struct sm_renderer *renderer; /* NULL until the display has a context */
 	struct screen screen;
 	bool ended;
@@ -174,6 +176,15 @@ static double processor_time(void)
 	return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
 }
 
+static void print_programs(const struct show *show, struct facts *facts)
+{
+	struct sm_frame_stats stats = {0};
+	if (show->renderer != NULL)
+		sm_renderer_get_stats(show->renderer, &stats);
+	facts_format(facts, "programs compiled", "%" PRIu32, stats.programs_compiled);
+	facts_format(facts, "programs loaded", "%" PRIu32, stats.programs_loaded);
+}
+
 static void print_stats(const struct show *show)
 {
 	struct facts facts;
@@ -189,6 +200,7 @@ static void print_stats(const struct show *show)
 	facts_format(&facts, "missed vblanks", "%" PRIu64, stats.missed);
 	facts_format(&facts, "outside GL", "%.3f ms a frame", stats.overhead / flips);
 	facts_format(&facts, "processor time", "%.1f ms", processor_time());
+	print_programs(show, &facts);
 	facts_end(&facts);
 }
 
@@ -218,8 +230,11 @@ static bool make_renderer(struct show *show, struct sm_error *error)
 	if (show->renderer != NULL)
 		return true;
 	show->renderer = sm_renderer_create(platform_get_proc, error);
-	return show->renderer != NULL &&
-	       sm_renderer_set_shadows(show->renderer, &show->stage.shadow, error);
+	if (show->renderer == NULL)
+		return false;
+	program_store_init(&show->programs);
+	sm_renderer_set_program_store(show->renderer, &show->programs.calls);
+	return sm_renderer_set_shadows(show->renderer, &show->stage.shadow, error);
 }
 
 static bool draw_frame(struct show *show, struct sm_error *error)
@@ -305,6 +320,7 @@ static void finish(struct show *show)
 	if (show->renderer != NULL) {
 		screen_finish(&show->screen);
 		sm_renderer_destroy(show->renderer);
+		program_store_finish(&show->programs);
 	}
 	display_destroy(show->display);
 	if (show->signals >= 0)
