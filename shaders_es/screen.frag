@@ -1,16 +1,8 @@
-uniform sampler2D base_texture; // the picture, sRGB: decoded to linear light when read
+uniform sampler2D base_texture; // the picture, sRGB
 uniform int quarter_turns;      // clockwise, 0 to 3
 uniform vec3 screen_max;        // greatest value of each channel of the screen
 
 layout(location = 0) out vec4 color;
-
-// The byte that was decoded. The whole curve (IEC 61966-2-1), not the fit that shading makes do
-// with: its error is far below half a step.
-ivec3 byte_of(vec3 c)
-{
-	vec3 curve = 1.055 * pow(max(c, 0.0031308), vec3(1.0 / 2.4)) - 0.055;
-	return ivec3(255.0 * mix(12.92 * c, curve, step(0.0031308, c)) + 0.5);
-}
 
 // The texel that is seen at a pixel of the screen, both from the lower left.
 ivec2 texel_at(ivec2 pixel, ivec2 size)
@@ -22,6 +14,24 @@ ivec2 texel_at(ivec2 pixel, ivec2 size)
 		texel.y = size.y - 1 - texel.y;
 	return texel;
 }
+
+#ifdef STORED
+// The picture's value as it is stored, in [0, 1]: sampled with EXT_texture_sRGB_decode off, which
+// fetches by index do not heed. The coordinate is the middle of the texel.
+vec3 value_of(ivec2 texel, ivec2 size)
+{
+	return textureLod(base_texture, (vec2(texel) + 0.5) / vec2(size), 0.0).rgb;
+}
+#else
+// The same by encoding anew what was decoded. The whole curve (IEC 61966-2-1), not the fit that
+// shading makes do with: its error is far below half a step.
+vec3 value_of(ivec2 texel, ivec2 size)
+{
+	vec3 c = texelFetch(base_texture, texel, 0).rgb;
+	vec3 curve = 1.055 * pow(max(c, 0.0031308), vec3(1.0 / 2.4)) - 0.055;
+	return mix(12.92 * c, curve, step(0.0031308, c));
+}
+#endif
 
 #ifdef DITHER
 // Which of 64 steps the pixel, from the top left, rounds up from: the 8x8 ordered matrix of Bayer,
@@ -37,14 +47,16 @@ int threshold_at(ivec2 pixel)
 void main()
 {
 	ivec2 size = textureSize(base_texture, 0), pixel = ivec2(gl_FragCoord.xy);
-	ivec3 most = ivec3(screen_max);
-	ivec3 value = byte_of(texelFetch(base_texture, texel_at(pixel, size), 0).rgb) * most;
+	vec3 value = value_of(texel_at(pixel, size), size);
+#if defined(DITHER) || defined(WIDEN)
+	ivec3 byte = ivec3(255.0 * value + 0.5), most = ivec3(screen_max);
 #ifdef DITHER
 	int height = (quarter_turns & 1) != 0 ? size.x : size.y;
 	int threshold = threshold_at(ivec2(pixel.x, height - 1 - pixel.y));
-	value = (value * 64 + 255 * threshold + 127) / (255 * 64);
+	value = vec3((byte * most * 64 + 255 * threshold + 127) / (255 * 64)) / screen_max;
 #else
-	value = (2 * value + 255) / (2 * 255);
+	value = vec3((2 * byte * most + 255) / (2 * 255)) / screen_max;
 #endif
-	color = vec4(vec3(value) / screen_max, 1.0);
+#endif
+	color = vec4(value, 1.0);
 }

@@ -41,10 +41,29 @@ static bool check_screen(
 	       error_set(error, SM_ERROR_INPUT, "no texture with a picture for the screen");
 }
 
+static uint32_t flags_of(const struct caps *caps, const uint8_t bits[3])
+{
+	uint32_t flags = bits[0] < 8 ? FLAG_DITHER : bits[0] > 8 ? FLAG_WIDEN : 0;
+	return caps->EXT_texture_sRGB_decode ? flags | FLAG_STORED : flags;
+}
+
+static void bind_stored_sampler(struct gpu *gpu)
+{
+	struct gl *gl = &gpu->gl;
+	if (gpu->stored_sampler == 0) {
+		gpu->stored_sampler = gl_create_sampler(gl);
+		gl->SamplerParameteri(
+			gpu->stored_sampler, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
+		gl->SamplerParameteri(gpu->stored_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+		gl->SamplerParameteri(gpu->stored_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+	}
+	gl->BindSampler(UNIT_BASE, gpu->stored_sampler);
+}
+
 static bool use_program(struct gpu *gpu, const struct sm_screen *screen, struct sm_error *error)
 {
 	const uint8_t *bits = screen->bits;
-	struct program_key key = {PROGRAM_SCREEN, bits[0] < 8 ? FLAG_DITHER : 0};
+	struct program_key key = {PROGRAM_SCREEN, flags_of(&gpu->caps, bits)};
 	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
 	if (program == NULL)
 		return false;
@@ -68,6 +87,8 @@ bool screen_draw(struct gpu *gpu, const struct sm_screen *screen, struct sm_erro
 	gl->Viewport(0, 0, (GLsizei)(turned ? screen->height : screen->width),
 		(GLsizei)(turned ? screen->width : screen->height));
 	bool used = use_program(gpu, screen, error);
+	if (used && gpu->caps.EXT_texture_sRGB_decode)
+		bind_stored_sampler(gpu);
 	if (used) {
 		/* The driver's own dithering is as it pleases. */
 		gl->Disable(GL_DITHER);

@@ -17,6 +17,7 @@ static const struct {
 	EXTENSION(EXT_color_buffer_half_float),
 	EXTENSION(EXT_float_blend),
 	EXTENSION(EXT_texture_filter_anisotropic),
+	EXTENSION(EXT_texture_sRGB_decode),
 	EXTENSION(KHR_debug),
 #undef EXTENSION
 };
@@ -101,6 +102,8 @@ void caps_describe(const struct caps *caps, sm_fact fact, void *data)
 	fact(data, "linear depth", "from the depth texture, by near and far");
 	snprintf(text, sizeof(text), "MIN blend in %s", caps->smoothie_format.name);
 	fact(data, "smoothie buffer", text);
+	fact(data, "copy to a screen",
+		caps->EXT_texture_sRGB_decode ? "as stored" : "decoded and encoded again");
 	fact(data, "compiled programs",
 		caps->program_binary_formats > 0 ? "can be kept" : "cannot be kept");
 }

@@ -21,6 +21,7 @@ struct caps {
 	bool EXT_color_buffer_half_float; /* RG16F as a target */
 	bool EXT_float_blend;
 	bool EXT_texture_filter_anisotropic;
+	bool EXT_texture_sRGB_decode;
 	bool KHR_debug;
 	/** For the smoothie buffer: two channels, MIN-blended. */
 	struct color_format smoothie_format;

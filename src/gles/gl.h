@@ -6,6 +6,8 @@
 #include <GLES3/gl3.h>
 
 /* Extension tokens, from the Khronos registry; Debian's gl2ext.h wants gl2.h before it. */
+#define GL_TEXTURE_SRGB_DECODE_EXT 0x8A48
+#define GL_SKIP_DECODE_EXT 0x8A4A
 #define GL_DEBUG_OUTPUT_KHR 0x92E0
 #define GL_DEBUG_OUTPUT_SYNCHRONOUS_KHR 0x8242
 #define GL_DEBUG_TYPE_ERROR_KHR 0x824C

@@ -19,6 +19,7 @@ void gpu_finish(struct gpu *gpu)
 	if (gpu->gl.GetError == NULL)
 		return;
 	gl_delete_buffer(&gpu->gl, &gpu->quad_indices);
+	gl_delete_sampler(&gpu->gl, &gpu->stored_sampler);
 	gpu_scene_finish(&gpu->scene, &gpu->gl);
 	program_cache_finish(&gpu->programs, &gpu->gl);
 	assert(gpu->gl.objects == 0);

@@ -16,6 +16,7 @@ struct gpu {
 	struct gpu_scene scene;
 	GLuint quad_indices; /* 0 1 2, 0 2 3 for each quad */
 	size_t quad_capacity;
+	GLuint stored_sampler; /* reads sRGB texels as they are stored; made on first use */
 	struct sm_frame_stats stats;
 };
 

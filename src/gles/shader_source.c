@@ -25,6 +25,8 @@ static const struct {
 	FLAG(VISIBILITY),
 	FLAG(ENCODE_SRGB),
 	FLAG(DITHER),
+	FLAG(WIDEN),
+	FLAG(STORED),
 #undef FLAG
 };
 
@@ -83,7 +85,7 @@ static const struct {
 	[PROGRAM_SCREEN] =
 		{
 			.name = "screen",
-			.flags = FLAG_DITHER,
+			.flags = FLAG_DITHER | FLAG_WIDEN | FLAG_STORED,
 			.parts = {{{"copy.vert"}}, {{"screen.frag"}}},
 		},
 };
@@ -110,7 +112,8 @@ bool program_key_is_valid(struct program_key key)
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
 	       implies(flags, FLAG_GATHER, FLAG_SMOOTHIE) &&
 	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB) &&
-	       excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID);
+	       excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID) &&
+	       excludes(flags, FLAG_DITHER, FLAG_WIDEN);
 }
 
 static const char *file_text(const char *name)

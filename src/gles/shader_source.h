@@ -37,7 +37,9 @@ enum program_flag {
 	FLAG_VISIBILITY = 1 << 10,
 	FLAG_ENCODE_SRGB = 1 << 11,
 	FLAG_DITHER = 1 << 12,
-	FLAG_END = 1 << 13,
+	FLAG_WIDEN = 1 << 13,
+	FLAG_STORED = 1 << 14,
+	FLAG_END = 1 << 15,
 };
 
 struct program_key {

@@ -25,6 +25,8 @@ static const struct {
 	{FLAG_VISIBILITY, "VISIBILITY"},
 	{FLAG_ENCODE_SRGB, "ENCODE_SRGB"},
 	{FLAG_DITHER, "DITHER"},
+	{FLAG_WIDEN, "WIDEN"},
+	{FLAG_STORED, "STORED"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Copies of a picture to screens: which pixel goes where, and as which value. */
 #include "canvas.h"
+#include "renderer.h"
 #include "rig.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -141,9 +142,8 @@ static void copy(struct rig *rig, const struct sm_screen *screen)
 		fail_msg("%s", error.text);
 }
 
-static void pictures_come_through_turned_and_rounded_exactly(void **state)
+static void check_all_screens(struct rig *rig)
 {
-	struct rig *rig = *state;
 	static picture pixels;
 	paint(pixels);
 	GLuint texture = upload(pixels);
@@ -167,6 +167,19 @@ static void pictures_come_through_turned_and_rounded_exactly(void **state)
 		}
 	}
 	glDeleteTextures(1, &texture);
+}
+
+static void pictures_come_through_turned_and_rounded_exactly(void **state)
+{
+	check_all_screens(*state);
+}
+
+/* Drivers that always decode sRGB. */
+static void so_they_do_decoded_and_encoded_again(void **state)
+{
+	struct rig *rig = *state;
+	rig->renderer->gpu.caps.EXT_texture_sRGB_decode = false;
+	check_all_screens(rig);
 }
 
 /* A level between two values is shown by as many pixels of the matrix as it is near to them. */
@@ -232,6 +245,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(pictures_come_through_turned_and_rounded_exactly),
+		rig_test(so_they_do_decoded_and_encoded_again),
 		cmocka_unit_test(dithering_keeps_the_mean),
 		rig_test(screens_that_cannot_be_are_refused),
 	};
