@@ -78,11 +78,12 @@ struct display *display_create(const struct display_options *options, struct sm_
 	display->hotplug = display->seat != NULL ? hotplug_create(error) : NULL;
 	if (display->hotplug == NULL)
 		goto error;
-	log_debug("seat: %s", seat_name(display->seat));
 	display->activations = seat_activations(display->seat);
 	if (seat_is_active(display->seat) && !look(display, true, true, error))
 		goto error;
-	if (!has_output(display))
+	if (!seat_is_active(display->seat))
+		log_warning("another virtual terminal is shown: waiting for ours");
+	else if (!has_output(display))
 		log_warning("no monitor yet: waiting for one");
 	return display;
 

@@ -12,14 +12,11 @@ static bool is_turned(const struct display_target *wanted)
 }
 
 /* A framebuffer of the screen's size, to be read from. */
-static bool init_pixels(struct screen *screen, struct sm_error *error)
+static bool init_framebuffer(struct screen *screen, struct sm_error *error)
 {
 	const struct display_target *wanted = &screen->wanted;
 	GLsizei width = (GLsizei)(is_turned(wanted) ? wanted->height : wanted->width);
 	GLsizei height = (GLsizei)(is_turned(wanted) ? wanted->width : wanted->height);
-	screen->pixels = array_alloc(wanted->height, 4 * (size_t)wanted->width);
-	if (screen->pixels == NULL)
-		return error_no_memory(error);
 	glGenFramebuffers(1, &screen->framebuffer);
 	glGenRenderbuffers(1, &screen->buffer);
 	glBindFramebuffer(GL_FRAMEBUFFER, screen->framebuffer);
@@ -30,6 +27,23 @@ static bool init_pixels(struct screen *screen, struct sm_error *error)
 	return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE ||
 	       error_set(error, SM_ERROR_MACHINE, "the driver gives no framebuffer of %dx%d", width,
 		       height);
+}
+
+/* What the picture's bytes are good for as they are needs no copy. */
+static bool needs_copy(const struct display_target *wanted)
+{
+	static const uint8_t bytes[3] = {8, 8, 8};
+	return !wanted->takes_pixels || wanted->rotation != 0 ||
+	       memcmp(wanted->bits, bytes, sizeof(bytes)) != 0;
+}
+
+static bool init_pixels(struct screen *screen, struct sm_error *error)
+{
+	const struct display_target *wanted = &screen->wanted;
+	screen->pixels = array_alloc(wanted->height, 4 * (size_t)wanted->width);
+	if (screen->pixels == NULL)
+		return error_no_memory(error);
+	return !needs_copy(wanted) || init_framebuffer(screen, error);
 }
 
 static bool is_same(const struct display_target *a, const struct display_target *b)
@@ -89,6 +103,8 @@ bool screen_draw(struct screen *screen, struct sm_renderer *renderer, const stru
 	if (!sm_renderer_draw(renderer, stage->scene, &view, error))
 		return false;
 	target_resolve(&screen->target);
+	if (!needs_copy(wanted))
+		return target_read(&screen->target, screen->pixels, error);
 	return sm_renderer_copy_to_screen(renderer, &copy, error) &&
 	       (!wanted->takes_pixels || read_pixels(screen, error));
 }

@@ -11,8 +11,8 @@ struct screen {
 	struct display_target wanted; /**< what all below was made for */
 	struct target target;
 	/* For displays that take pixels: */
-	uint32_t framebuffer, buffer; /**< GL names, as large as the screen */
 	uint8_t *pixels;              /**< R,G,B,A of the screen, rows from the bottom; owned */
+	uint32_t framebuffer, buffer; /**< GL names, as large as the screen; 0: `target` will do */
 };
 
 /** Makes it, and the stage, what the display wants. Where that differs from before, the stage's

@@ -257,9 +257,11 @@ static bool wait_for_work(struct show *show, struct sm_error *error)
 	struct pollfd fds[DISPLAY_POLL_MAX + 1] = {{.fd = show->signals, .events = POLLIN}};
 	int64_t timeout;
 	size_t count = 1 + display_poll(show->display, fds + 1, &timeout);
-	int64_t watchdog = INT64_C(1000000) * service_watchdog();
-	if (watchdog > 0 && (timeout < 0 || timeout > watchdog))
-		timeout = watchdog;
+	if (service_watchdog() > 0) {
+		double left = show->last_alive + service_watchdog() - stopwatch_now();
+		int64_t watchdog = left > 0 ? (int64_t)(left * 1e6) : 0;
+		timeout = timeout < 0 || timeout > watchdog ? watchdog : timeout;
+	}
 	struct timespec time = {timeout / 1000000000, timeout % 1000000000};
 	if (ppoll(fds, count, timeout >= 0 ? &time : NULL, NULL) < 0 && errno != EINTR)
 		return error_set(error, SM_ERROR_MACHINE, "cannot wait for the display (%s)",
