@@ -170,6 +170,8 @@ int seat_open_device(struct seat *seat, const char *path, struct sm_error *error
 
 void seat_close_device(struct seat *seat, int fd)
 {
+	if (fd < 0)
+		return;
 	for (size_t i = 0; i < seat->device_count; i++) {
 		if (seat->devices[i].fd != fd)
 			continue;

@@ -38,7 +38,7 @@ unsigned seat_activations(const struct seat *seat);
  *  cannot be had. A manager makes a DRM node the master of its display; directly, that is left to
  *  the caller. */
 int seat_open_device(struct seat *seat, const char *path, struct sm_error *error);
-/** -1 is fine. */
+/** A descriptor of -1 is fine, then also without a seat. */
 void seat_close_device(struct seat *seat, int fd);
 
 #endif

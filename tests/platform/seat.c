@@ -56,6 +56,7 @@ static void what_is_none_of_its_devices_stays_open(void **state)
 	int fd = open("/dev/null", O_RDONLY | O_CLOEXEC);
 	seat_close_device(*state, fd);
 	seat_close_device(*state, -1);
+	seat_close_device(NULL, -1);
 	assert_true(is_open(fd));
 	close(fd);
 }
