@@ -179,7 +179,8 @@ void display_close_device(struct display *display)
 		gbm_device_destroy(display->gbm);
 	display->gbm = NULL;
 	display->has_context = false;
-	seat_close_device(display->seat, display->device.fd);
+	if (display->device.fd >= 0)
+		seat_close_device(display->seat, display->device.fd);
 	display->device = (struct kms_device){.fd = -1};
 	free(display->path);
 	display->path = NULL;
