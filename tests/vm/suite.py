@@ -17,6 +17,7 @@ import traceback
 
 import image as images
 import machine
+import program
 
 # What a guest has beside QEMU's defaults, the drivers that it loads, what is run in it.
 Guest = collections.namedtuple('Guest', 'devices modules cases')
@@ -31,7 +32,7 @@ class Bench:
 
     def __init__(self, build, guest, image):
         self.build, self.guest, self.image = build, guest, image
-        self._cards = {}
+        self._cards, self.pictures = {}, {}
 
     def tool(self, name):
         return os.path.join(self.build, 'tests', 'vm', name)
@@ -103,7 +104,11 @@ def run_guest(guest, build, image, number):
         print(f'# up after {booted.boot_time:.1f} s', flush=True)
         bench = Bench(build, booted, image)
         bench.load(*guest.modules)
-        return sum(not run_case(number + i, case, bench) for i, case in enumerate(guest.cases))
+        program.load_shaders(bench)
+        failed = sum(not run_case(number + i, case, bench) for i, case in enumerate(guest.cases))
+        if not booted.failed:
+            program.keep_shaders(bench)
+        return failed
 
 
 def skip_all(why):
@@ -130,7 +135,7 @@ def main(name, build):
     for guest in guests:
         try:
             failed += run_guest(guest, build, image, number)
-        except (machine.Hang, AssertionError) as error:
+        except (machine.Late, AssertionError, OSError) as error:
             print(f'Bail out! a guest could not be set up: {error}')
             return 1
         number += len(guest.cases)

@@ -10,6 +10,12 @@
 #include <sys/mman.h>
 #include <xf86drm.h>
 
+/* A dumb buffer that is mapped; 32 bits a pixel. */
+struct buffer {
+	uint32_t fb, pitch;
+	uint32_t *pixels;
+};
+
 void demand(int condition, const char *what)
 {
 	if (condition)
@@ -51,7 +57,7 @@ static const drmModeModeInfo *find_mode(const drmModeConnector *connector, const
 	return NULL;
 }
 
-struct output card_output(int card, const char *size)
+static struct output find_output(int card, const char *size)
 {
 	struct output output = {0};
 	drmModeRes *resources = drmModeGetResources(card);
@@ -71,17 +77,16 @@ struct output card_output(int card, const char *size)
 	return output;
 }
 
-struct buffer buffer_create(int card, uint32_t width, uint32_t height)
+static struct buffer buffer_create(int card, uint32_t width, uint32_t height)
 {
 	struct buffer buffer = {0};
+	uint32_t handle;
 	uint64_t size, offset;
-	demand(!drmModeCreateDumbBuffer(
-		       card, width, height, 32, 0, &buffer.handle, &buffer.pitch, &size),
+	demand(!drmModeCreateDumbBuffer(card, width, height, 32, 0, &handle, &buffer.pitch, &size),
 		"drmModeCreateDumbBuffer");
-	demand(!drmModeAddFB(card, width, height, 24, 32, buffer.pitch, buffer.handle, &buffer.fb),
+	demand(!drmModeAddFB(card, width, height, 24, 32, buffer.pitch, handle, &buffer.fb),
 		"drmModeAddFB");
-	demand(!drmModeMapDumbBuffer(card, buffer.handle, &offset), "drmModeMapDumbBuffer");
-	buffer.size = size;
+	demand(!drmModeMapDumbBuffer(card, handle, &offset), "drmModeMapDumbBuffer");
 	buffer.pixels = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED, card, (off_t)offset);
 	demand(buffer.pixels != MAP_FAILED, "mmap");
 	return buffer;
@@ -91,6 +96,24 @@ uint32_t pattern_color(uint32_t x, uint32_t y)
 {
 	uint32_t red = x & 255, green = y & 255, blue = (x >> 8) * 16 + (y >> 8) + (x & y & 15) * 8;
 	return red << 16 | green << 8 | (blue & 255);
+}
+
+static void draw_pattern(const struct buffer *buffer, uint32_t width, uint32_t height)
+{
+	for (uint32_t y = 0; y < height; y++)
+		for (uint32_t x = 0; x < width; x++)
+			buffer->pixels[y * (buffer->pitch / 4) + x] = pattern_color(x, y);
+}
+
+struct output show_pattern(int card, const char *size)
+{
+	struct output output = find_output(card, size);
+	struct buffer buffer = buffer_create(card, output.mode.hdisplay, output.mode.vdisplay);
+	draw_pattern(&buffer, output.mode.hdisplay, output.mode.vdisplay);
+	demand(!drmModeSetCrtc(
+		       card, output.crtc, buffer.fb, 0, 0, &output.connector, 1, &output.mode),
+		"drmModeSetCrtc");
+	return output;
 }
 
 void sleep_until_told(const char *ready)

@@ -3,18 +3,10 @@
 #ifndef SMOOTHIE_TESTS_VM_CARD_H
 #define SMOOTHIE_TESTS_VM_CARD_H
 
-#include <stddef.h>
 #include <stdint.h>
 #include <xf86drmMode.h>
 
-/* A dumb buffer that is mapped; 32 bits a pixel. */
-struct buffer {
-	uint32_t handle, fb, pitch;
-	size_t size;
-	uint32_t *pixels;
-};
-
-/* The first connector with a monitor, a CRTC that it can use, and what that showed before. */
+/* A connector with a monitor, a CRTC that it can use, and its mode. */
 struct output {
 	uint32_t connector, crtc;
 	drmModeModeInfo mode;
@@ -24,9 +16,9 @@ struct output {
 void demand(int condition, const char *what);
 
 int card_open(const char *path);
-/* The mode is the first of this size, or the preferred one for "". */
-struct output card_output(int card, const char *size);
-struct buffer buffer_create(int card, uint32_t width, uint32_t height);
+/* Shows the test pattern on the first monitor, in its first mode of this size or, for "", in the
+ * preferred one, until the card is closed. */
+struct output show_pattern(int card, const char *size);
 
 /* The colour of the test pattern at a pixel, 0xRRGGBB: no two rows or columns are equal. */
 uint32_t pattern_color(uint32_t x, uint32_t y);

@@ -6,13 +6,6 @@
 
 #include "card.h"
 
-static void draw_pattern(const struct buffer *buffer, uint32_t width, uint32_t height)
-{
-	for (uint32_t y = 0; y < height; y++)
-		for (uint32_t x = 0; x < width; x++)
-			buffer->pixels[y * (buffer->pitch / 4) + x] = pattern_color(x, y);
-}
-
 int main(int argc, char **argv)
 {
 	if (argc < 2) {
@@ -20,12 +13,7 @@ int main(int argc, char **argv)
 		return 2;
 	}
 	int card = card_open(argv[1]);
-	struct output output = card_output(card, argc > 2 ? argv[2] : "");
-	struct buffer buffer = buffer_create(card, output.mode.hdisplay, output.mode.vdisplay);
-	draw_pattern(&buffer, output.mode.hdisplay, output.mode.vdisplay);
-	demand(!drmModeSetCrtc(
-		       card, output.crtc, buffer.fb, 0, 0, &output.connector, 1, &output.mode),
-		"drmModeSetCrtc");
+	struct output output = show_pattern(card, argc > 2 ? argv[2] : "");
 	demand(!drmDropMaster(card), "drmDropMaster");
 	char ready[64];
 	snprintf(ready, sizeof(ready), "shown: %s", output.mode.name);

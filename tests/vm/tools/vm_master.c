@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* vm_master CARD [PID]: is the card's master until SIGTERM. With PID, takes that from this process
- * first and gives it back at the end. */
+ * first, shows the test pattern instead, and gives it back at the end. */
 #include <fcntl.h>
 #include <limits.h>
 #include <stdio.h>
@@ -50,6 +50,8 @@ int main(int argc, char **argv)
 	int stolen = argc > 2 ? steal(argv[2], argv[1]) : -1;
 	int card = card_open(argv[1]);
 	demand(!drmSetMaster(card), "drmSetMaster");
+	if (stolen >= 0)
+		show_pattern(card, "640x480");
 	sleep_until_told("master");
 	demand(!drmDropMaster(card), "drmDropMaster");
 	demand(stolen < 0 || !drmSetMaster(stolen), "drmSetMaster, giving back");

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: MIT
+"""What goes wrong on a display: afterwards the picture is right again, or the program has ended as
+it should."""
+
+import time
+
+import program
+import services
+from suite import Guest
+
+BOCHS, SLOT = 'bochs-display,id=gpu,bus=slot,xres=640,yres=480', 'pcie-root-port,id=slot'
+SIZE = '640x480'
+
+
+def picture_crc(bench, size=SIZE):
+    return program.crc_of(bench, *program.picture(bench, size))
+
+
+def show(bench, arguments='', **options):
+    return program.show(bench, 'vkms', f'--mode {SIZE} {arguments}', **options)
+
+
+def expect_one_line(job, text):
+    """That the only complaint is one line with the text."""
+    lines = program.complaints(job)
+    assert len(lines) == 1 and text in lines[0], job.err
+
+
+def another_program(bench):
+    """A display that another program has is one line on standard error, and status 1"""
+    other = bench.guest.start(f'exec {bench.tool("vm_master")} {bench.card("vkms")}')
+    other.says('master', 20)
+    job = bench.guest.start(program.command(bench, f'show {program.SCENE} '
+                                            f'--device {bench.card("vkms")}'))
+    assert job.wait(60) == 1
+    assert job.err.count('\n') == 1 and 'in use by another program' in job.err, job.err
+    other.stop()
+
+
+def restores(bench):
+    """SIGTERM while a flip is pending ends it with status 0, and what was there before is back"""
+    held = program.hold(bench, 'vkms', '800x600')
+    for name in ('TERM', 'INT'):
+        job = show(bench, '--set motion.turns=light --set motion.period=9')
+        program.wait_for_flips(bench, job, 3)
+        assert job.stop(name) == 0, job.err
+        program.expect_crc(bench, program.crc_of(bench, 'pattern:800x600'))
+    held.stop()
+
+
+def master_stolen(bench):
+    """A display that is stolen and given back shows the picture again"""
+    job = show(bench)
+    thief = bench.guest.start(f'exec {bench.tool("vm_master")} {bench.card("vkms")} {job.pid}')
+    thief.says('master', 20)
+    program.expect_crc(bench, program.crc_of(bench, 'pattern:640x480'))
+    time.sleep(6)  # more than it takes to look
+    assert job.status is None, job.err
+    assert thief.stop() == 0
+    program.expect_crc(bench, picture_crc(bench), program.REDRAW_LIMIT)
+    assert job.stop() == 0
+
+
+def master_stolen_in_motion(bench):
+    """A moving scene waits while its display is stolen, and goes on when it is given back"""
+    job = show(bench, '--set motion.turns=camera --set motion.period=9')
+    program.wait_for_flips(bench, job, 3)
+    thief = bench.guest.start(f'exec {bench.tool("vm_master")} {bench.card("vkms")} {job.pid}')
+    thief.says('master', 20)
+    job.says('another program has taken the display', 20)
+    shown = len(program.flips(job))
+    before = program.processor_time(bench, job)
+    time.sleep(3)
+    assert program.processor_time(bench, job) - before < 100
+    assert len(program.flips(job)) == shown
+    assert thief.stop() == 0
+    program.wait_for_flips(bench, job, shown + 3)
+    assert job.stop() == 0
+
+
+def connector_off(bench):
+    """vkms: a monitor that goes without any event is missed, and its return is seen"""
+    job = show(bench)
+    status = f'{bench.connector("vkms")}/status'
+    bench.guest.check(f'echo off >{status}')
+    job.says('the monitor is gone', 20)
+    bench.guest.check(f'echo detect >{status}')
+    program.expect_crc(bench, picture_crc(bench), program.REDRAW_LIMIT)
+    assert job.stop() == 0
+
+
+def full_disk(bench):
+    """Counts that cannot be written: the picture goes on at SIGUSR1, and the end has status 1"""
+    bench.guest.check('mkdir -p /full; mount -t tmpfs -o size=8k full /full; '
+                      'head -c 8192 /dev/zero >/full/file')
+    job = program.start_show(bench, 'vkms', f'--mode {SIZE} --stats >/full/out')
+    job.says('flip: frame 1 shows', program.START_LIMIT)
+    job.kill('USR1')
+    job.says('No space left on device', 20)
+    program.expect_crc(bench, picture_crc(bench))
+    assert job.stop() == 1
+    assert job.err.count('No space left on device') == 2, job.err
+    bench.guest.check('umount /full')
+
+
+def counts_on_request(bench):
+    """SIGUSR1 prints the counts so far"""
+    job = show(bench, '--stats')
+    job.kill('USR1')
+    job.says('processor time: ', 20)
+    assert program.fact(job, 'flips') == '1'
+    assert job.stop() == 0
+
+
+def nothing_grows(bench):
+    """No descriptor and no memory is lost when a monitor comes and goes many times"""
+    job = show(bench)
+    connector, cycles, sizes = bench.connector('vkms'), 0, []
+    end = time.monotonic() + 40
+    while time.monotonic() < end and cycles < 200:
+        bench.guest.check(f'cd {connector}; echo off >status; echo change >../uevent')
+        job.says('the monitor is gone', 20, times=cycles + 1)
+        bench.guest.check(f'cd {connector}; echo detect >status; echo change >../uevent')
+        program.wait_for_flips(bench, job, cycles + 2)
+        cycles += 1
+        if cycles >= 5:
+            sizes.append(program.size_of(bench, job))
+    print(f'# {cycles} cycles: {sizes[0]} then {sizes[-1]} (descriptors, KB)')
+    assert cycles >= 8, f'only {cycles} cycles'
+    assert sizes[-1][0] == sizes[0][0], sizes
+    assert sizes[-1][1] <= sizes[0][1] + 1024, sizes
+    program.expect_crc(bench, picture_crc(bench))
+    assert job.stop() == 0
+
+
+def unprivileged(bench):
+    """With seatd, a user without privileges shows the picture"""
+    seatd = services.start_seatd(bench)
+    job = show(bench, '--stats', user=services.NOBODY)
+    program.expect_crc(bench, picture_crc(bench))
+    assert job.stop() == 0
+    assert program.fact(job, 'seat') == 'seatd'
+    seatd.stop()
+
+
+def no_rights(bench):
+    """Without seatd, such a user is told in one line what to do, with status 1"""
+    job = bench.guest.start(program.command(bench, f'show {program.SCENE} '
+                                            f'--device {bench.card("vkms")}'), user=services.NOBODY)
+    assert job.wait(60) == 1
+    expect_one_line(job, 'seatd')
+
+
+def terminals_switched(bench):
+    """Another virtual terminal pauses it, and it comes back with the picture drawn again"""
+    seatd = services.start_seatd(bench)
+    job = show(bench, user=services.NOBODY)
+    bench.guest.check('timeout 15 busybox chvt 2')
+    other = program.hold(bench, 'vkms', '640x480')
+    program.expect_crc(bench, program.crc_of(bench, 'pattern:640x480'))
+    other.stop()
+    bench.guest.check('timeout 15 busybox chvt 1')
+    program.expect_crc(bench, picture_crc(bench), program.REDRAW_LIMIT)
+    assert job.stop() == 0
+    seatd.stop()
+
+
+def starts_without_monitor(bench):
+    """Without a monitor it waits, and shows the picture on the first one"""
+    services.start_udev(bench)
+    bench.screen = bench.guest.screen()
+    replug(bench, 0, 0)
+    job = program.start_show(bench, 'virtio_gpu')
+    job.says('no monitor yet', 60)
+    bench.screen.resize(320, 240)
+    job.says('flip: frame 1 shows', program.START_LIMIT)
+    program.expect_screen(bench, *program.picture(bench, '320x240'))
+    assert job.stop() == 0
+
+
+def replug(bench, width, height):
+    """Changes the monitor's size, and waits until the kernel knows."""
+    bench.screen.resize(width, height)
+    expected = f'{width}x{height}' if width else ''
+    connector = bench.connector('virtio_gpu')
+    bench.guest.check('for i in $(seq 100); do '
+                      f'test "$(echo detect >{connector}/status; head -n 1 {connector}/modes)" = '
+                      f'"{expected}" && exit; sleep .2; done; exit 1', 40)
+
+
+def unplugged(bench):
+    """A monitor that is unplugged and plugged in shows the picture again"""
+    job = program.show(bench, 'virtio_gpu')
+    bench.screen.resize(0, 0)
+    job.says('the monitor is gone', 20)
+    bench.screen.resize(320, 240)
+    program.wait_for_flips(bench, job, 2)
+    program.expect_screen(bench, *program.picture(bench, '320x240'))
+    assert job.stop() == 0
+
+
+def mode_changed(bench):
+    """A mode that the host changes is followed"""
+    job = program.show(bench, 'virtio_gpu')
+    bench.screen.resize(400, 300)
+    program.wait_for_flips(bench, job, 2)
+    program.expect_screen(bench, *program.picture(bench, '400x300'))
+    bench.screen.resize(320, 240)
+    program.wait_for_flips(bench, job, 3)
+    program.expect_screen(bench, *program.picture(bench, '320x240'))
+    assert job.stop() == 0
+
+
+def gpu_unplugged(bench):
+    """bochs: a GPU that is pulled out ends it with one line and status 1"""
+    job = program.show(bench, 'bochs-drm')
+    bench.guest.monitor.call('device_del', id='gpu')
+    assert job.wait(40) == 1, job.err
+    expect_one_line(job, 'was removed')
+
+
+def gpu_removed(bench):
+    """virtio-gpu: a driver that is removed while frames flow ends it with one line and status 1"""
+    card = bench.card('virtio_gpu').rsplit('/', 1)[1]
+    job = program.show(bench, 'virtio_gpu', '--set motion.turns=camera --set motion.period=9')
+    program.wait_for_flips(bench, job, 2)
+    bench.guest.check(f'echo 1 >$(readlink -f /sys/class/drm/{card}/device/..)/remove', 40)
+    assert job.wait(30) == 1, job.err
+    expect_one_line(job, 'was removed')
+
+
+GUESTS = [
+    Guest(['virtio-gpu-pci,id=screen,xres=320,yres=240', SLOT, BOCHS],
+          ['vkms', 'virtio-gpu', 'bochs'], [
+        another_program, restores, master_stolen, master_stolen_in_motion, connector_off, full_disk,
+        counts_on_request, nothing_grows, unprivileged, no_rights, terminals_switched,
+        starts_without_monitor, unplugged, mode_changed, gpu_unplugged, gpu_removed]),
+]
