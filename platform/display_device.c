@@ -100,14 +100,14 @@ static enum trial try_devices(struct display *display, struct sm_error *error)
 	return best;
 }
 
-/* Buffers of another device, or of the driver in software, are copied to the display's own. */
+/* What another GPU draws, or the processor, is copied to buffers of the display's own. */
 static bool open_context_elsewhere(struct display *display, struct sm_error *error)
 {
 	struct sm_error why;
 	if (!display->device.dumb)
 		return error_set(error, SM_ERROR_MACHINE,
 			"device %s: it has neither a GPU nor dumb buffers", display->path);
-	display->elsewhere = platform_create("surfaceless", display->options.debug, &why);
+	display->elsewhere = platform_create(NULL, display->options.debug, &why);
 	if (display->elsewhere == NULL)
 		return error_set(error, why.status, "%s", why.text);
 	return true;

@@ -2,7 +2,8 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "display_state.h"
-#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <xf86drmMode.h>
 
 static const char *const buffer_names[] = {
@@ -19,26 +20,44 @@ static uint64_t rotation_bit(unsigned clockwise)
 	return bits[clockwise / 90 % 4];
 }
 
-/* What turns in the plane costs the GPU nothing, and what the GPU draws the processor need not
- * copy. */
+/* Whether buffers may be of that kind: $SMOOTHIE_BUFFERS, for debugging, allows gbm or dumb alone.
+ */
+static bool is_allowed(const char *kind)
+{
+	const char *only = getenv("SMOOTHIE_BUFFERS");
+	return only == NULL || only[0] == '\0' || strcmp(only, kind) == 0;
+}
+
+static void add_attempt(struct display *display, int buffers, bool plane_turns)
+{
+	display->attempts[display->attempt_count++] = (struct attempt){buffers, plane_turns};
+}
+
+/* What the processor has drawn it may as well bring to the screen itself: it sees what has changed
+ * in the frame, and copies and reports no more. Where the GPU draws that is the last resort. */
+static void add_attempts(struct display *display, bool plane_turns)
+{
+	bool gbm = display->gbm != NULL && is_allowed("gbm");
+	bool dumb = display->device.dumb && is_allowed("dumb");
+	if (dumb && display->egl.software)
+		add_attempt(display, BUFFERS_DUMB, plane_turns);
+	if (gbm && display->output.modifier_count > 0)
+		add_attempt(display, BUFFERS_GBM_MODIFIERS, plane_turns);
+	if (gbm)
+		add_attempt(display, BUFFERS_GBM, plane_turns);
+	if (dumb && !display->egl.software)
+		add_attempt(display, BUFFERS_DUMB, plane_turns);
+}
+
+/* What the plane turns costs the GPU nothing. */
 static void list_attempts(struct display *display)
 {
-	const struct kms_output *output = &display->output;
 	bool can_turn = display->options.rotation != 0 && display->kms == &kms_atomic &&
-			output->rotations & rotation_bit(display->options.rotation);
+			display->output.rotations & rotation_bit(display->options.rotation);
 	display->attempt_count = display->attempt = 0;
-	for (int turns = can_turn; turns >= 0; turns--) {
-		bool has[] = {
-			[BUFFERS_GBM_MODIFIERS] =
-				display->gbm != NULL && output->modifier_count > 0,
-			[BUFFERS_GBM] = display->gbm != NULL,
-			[BUFFERS_DUMB] = display->device.dumb,
-		};
-		for (int buffers = 0; buffers <= BUFFERS_DUMB; buffers++)
-			if (has[buffers])
-				display->attempts[display->attempt_count++] =
-					(struct attempt){buffers, turns};
-	}
+	if (can_turn)
+		add_attempts(display, true);
+	add_attempts(display, false);
 }
 
 static void set_target(struct display *display, const struct attempt *attempt)

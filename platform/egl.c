@@ -101,6 +101,18 @@ static EGLContext create_context(EGLDisplay display, EGLConfig config, bool debu
 	return context;
 }
 
+/* Mesa's names: swrast, kms_swrast. */
+static bool is_software(EGLDisplay display)
+{
+	PFNEGLGETDISPLAYDRIVERNAMEPROC driver_name =
+		egl_has_extension(display, "EGL_MESA_query_driver")
+			? (PFNEGLGETDISPLAYDRIVERNAMEPROC)eglGetProcAddress(
+				  "eglGetDisplayDriverName")
+			: NULL;
+	const char *name = driver_name != NULL ? driver_name(display) : NULL;
+	return name != NULL && strstr(name, "swrast") != NULL;
+}
+
 /* format 0: no surface will be used. */
 static bool make_context(struct egl *egl, uint32_t format, bool debug, struct sm_error *error)
 {
@@ -125,6 +137,7 @@ static bool make_context(struct egl *egl, uint32_t format, bool debug, struct sm
 		return egl_fail(error, "eglCreateContext for OpenGL ES 3");
 	egl->native_fences = egl_has_extension(egl->display, "EGL_ANDROID_native_fence_sync") &&
 			     egl_has_extension(egl->display, "EGL_KHR_wait_sync");
+	egl->software = is_software(egl->display);
 	return egl_use_no_surface(egl, error);
 }
 

@@ -10,6 +10,7 @@ struct egl {
 	EGLDisplay display;
 	EGLContext context;
 	bool native_fences; /* EGL_ANDROID_native_fence_sync */
+	bool software;      /* the processor draws, as far as the driver tells */
 };
 
 /** The display that needs neither window nor node: whichever way the EGL here offers. */

@@ -20,7 +20,7 @@ const struct pixel_format *pixel_format_find(const char *name);
 const struct pixel_format *pixel_format_of(uint32_t code);
 
 /** Packs count pixels of R,G,B,A bytes, little-endian as DRM has them; a channel that has fewer
- *  bits than 8 is rounded, one that has more is stretched. */
+ *  bits than 8 is rounded, one that has more is stretched. pixels: aligned as the pixels are. */
 void pixel_format_pack(
 	const struct pixel_format *format, const uint8_t *rgba, size_t count, void *pixels);
 
