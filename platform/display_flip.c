@@ -39,9 +39,8 @@ void display_flip_done(struct display *display, bool waited, int64_t time)
 		display->shown = display->pending;
 		display->pending = 0;
 	}
-	log_debug("flip: frame %llu shows tick %llu at %llu",
-		(unsigned long long)display->stats.flips, (unsigned long long)display->drawn_tick,
-		(unsigned long long)display->clock.tick);
+	log_debug("flip: frame %llu shows tick %llu", (unsigned long long)display->stats.flips,
+		(unsigned long long)display->drawn_tick);
 }
 
 /* A driver without vertical blanks counts none. */
