@@ -93,7 +93,8 @@ void display_get_stats(const struct display *display, struct display_stats *stat
 /** Reports device, monitor, mode and ways. */
 void display_describe(const struct display *display, sm_fact fact, void *data);
 
-/** Prints devices, connectors, modes and formats, and why each is usable or not. */
-bool display_list(FILE *file, struct sm_error *error);
+/** Prints devices, or the one of that path, with connectors, modes and formats, and why each is
+ *  usable or not. device: NULL for all. */
+bool display_list(const char *device, FILE *file, struct sm_error *error);
 
 #endif

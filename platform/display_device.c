@@ -56,22 +56,63 @@ static enum trial try_open_device(struct display *display, const char *path, str
 	return TRIAL_IN_USE;
 }
 
+/* What another GPU draws, or the processor, is copied to buffers of the display's own. */
+static bool open_context_elsewhere(struct display *display, struct sm_error *error)
+{
+	if (!display->device.dumb)
+		return error_set(error, SM_ERROR_MACHINE, "it has neither a GPU nor dumb buffers");
+	display->elsewhere = platform_create(NULL, display->options.debug, error);
+	return display->elsewhere != NULL;
+}
+
+/* format: DRM_FORMAT_* of the buffers that will be drawn to. */
+static bool open_context(struct display *display, uint32_t format, struct sm_error *error)
+{
+	struct sm_error why = {0};
+	platform_prepare(display->options.debug);
+	display->gbm = node_create_gbm(display->device.fd, display->options.debug);
+	bool opened =
+		display->gbm != NULL &&
+		egl_init_gbm(&display->egl, display->gbm, format, display->options.debug, &why) &&
+		probe_draws(&why);
+	if (!opened) {
+		log_debug("device %s: no context (%s)", display->path,
+			display->gbm != NULL ? why.text : "no GBM driver");
+		egl_finish(&display->egl);
+		if (display->gbm != NULL)
+			gbm_device_destroy(display->gbm);
+		display->gbm = NULL;
+		opened = open_context_elsewhere(display, error);
+	}
+	display->has_context = opened;
+	return opened;
+}
+
+/* With the device open: whether it has a monitor, and something to draw with. */
+static enum trial try_monitor(struct display *display, struct sm_error *error)
+{
+	struct kms_output output;
+	switch (kms_output_find(&output, &display->device, &display->wish, true, error)) {
+	case KMS_FOUND:
+		return open_context(display, output.format->code, error) ? TRIAL_SHOWS
+									 : TRIAL_UNUSABLE;
+	case KMS_NO_MONITOR:
+		error_set(error, SM_ERROR_MACHINE, "it has no monitor");
+		return TRIAL_NO_MONITOR;
+	default:
+		return TRIAL_UNUSABLE;
+	}
+}
+
 static enum trial try_device(struct display *display, const char *path, struct sm_error *error)
 {
 	struct sm_error why = {0};
-	struct kms_output output;
 	enum trial trial = try_open_device(display, path, &why);
-	if (trial == TRIAL_SHOWS) {
-		enum kms_search search =
-			kms_output_find(&output, &display->device, &display->wish, true, &why);
-		trial = search == KMS_FOUND        ? TRIAL_SHOWS
-			: search == KMS_NO_MONITOR ? TRIAL_NO_MONITOR
-						   : TRIAL_UNUSABLE;
-	}
+	if (trial == TRIAL_SHOWS)
+		trial = try_monitor(display, &why);
 	if (trial != TRIAL_SHOWS) {
 		display_close_device(display);
-		log_debug(
-			"device %s: %s", path, trial == TRIAL_NO_MONITOR ? "no monitor" : why.text);
+		log_debug("device %s: %s", path, why.text);
 		error_set(error, why.status, "device %s: %s", path, why.text);
 	}
 	return trial;
@@ -100,45 +141,6 @@ static enum trial try_devices(struct display *display, struct sm_error *error)
 	return best;
 }
 
-/* What another GPU draws, or the processor, is copied to buffers of the display's own. */
-static bool open_context_elsewhere(struct display *display, struct sm_error *error)
-{
-	struct sm_error why;
-	if (!display->device.dumb)
-		return error_set(error, SM_ERROR_MACHINE,
-			"device %s: it has neither a GPU nor dumb buffers", display->path);
-	display->elsewhere = platform_create(NULL, display->options.debug, &why);
-	if (display->elsewhere == NULL)
-		return error_set(error, why.status, "%s", why.text);
-	return true;
-}
-
-static bool open_context(struct display *display, struct sm_error *error)
-{
-	struct sm_error why = {0};
-	struct kms_output output = {0};
-	/* try_device() has found it just now. */
-	kms_output_find(&output, &display->device, &display->wish, false, &why);
-	uint32_t format = output.format != NULL ? output.format->code : 0;
-	platform_prepare(display->options.debug);
-	display->gbm = node_create_gbm(display->device.fd, display->options.debug);
-	bool opened =
-		display->gbm != NULL &&
-		egl_init_gbm(&display->egl, display->gbm, format, display->options.debug, &why) &&
-		probe_draws(&why);
-	if (!opened) {
-		log_debug("device %s: no context (%s)", display->path,
-			display->gbm != NULL ? why.text : "no GBM driver");
-		egl_finish(&display->egl);
-		if (display->gbm != NULL)
-			gbm_device_destroy(display->gbm);
-		display->gbm = NULL;
-		opened = open_context_elsewhere(display, error);
-	}
-	display->has_context = opened;
-	return opened;
-}
-
 bool display_find_device(struct display *display, bool first, struct sm_error *error)
 {
 	const char *path = display->options.device;
@@ -146,7 +148,6 @@ bool display_find_device(struct display *display, bool first, struct sm_error *e
 		path != NULL ? try_device(display, path, error) : try_devices(display, error);
 	switch (trial) {
 	case TRIAL_SHOWS:
-		return open_context(display, error);
 	case TRIAL_NO_MONITOR:
 		return true;
 	case TRIAL_IN_USE:

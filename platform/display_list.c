@@ -3,12 +3,9 @@
 #include "display.h"
 #include "kms_output.h"
 #include "node.h"
-#include <errno.h>
-#include <fcntl.h>
+#include "seat.h"
 #include <gbm.h>
 #include <glob.h>
-#include <string.h>
-#include <unistd.h>
 #include <xf86drm.h>
 #include <xf86drmMode.h>
 
@@ -93,15 +90,10 @@ static void list_ways(FILE *file, const struct kms_device *device)
 		gbm_device_destroy(gbm);
 }
 
-static void list_device(FILE *file, const char *path)
+static void list_open_device(FILE *file, const char *path, int fd)
 {
 	struct kms_device device;
 	struct sm_error why;
-	int fd = open(path, O_RDWR | O_CLOEXEC);
-	if (fd < 0) {
-		fprintf(file, "%s: not usable: %s\n", path, strerror(errno));
-		return;
-	}
 	drmVersion *version = drmGetVersion(fd);
 	fprintf(file, "%s: %s", path, version != NULL ? version->name : "no DRM node");
 	if (version == NULL) {
@@ -115,17 +107,41 @@ static void list_device(FILE *file, const char *path)
 		list_connectors(file, &device);
 	}
 	drmFreeVersion(version);
-	close(fd);
 }
 
-bool display_list(FILE *file, struct sm_error *error)
+static void list_device(FILE *file, const char *path, struct seat *seat)
 {
-	glob_t nodes;
-	if (glob("/dev/dri/card*", 0, NULL, &nodes) != 0)
-		return error_set(error, SM_ERROR_MACHINE,
+	struct sm_error why;
+	int fd = seat_open_device(seat, path, &why);
+	if (fd < 0) {
+		fprintf(file, "%s: not usable: %s\n", path, why.text);
+		return;
+	}
+	list_open_device(file, path, fd);
+	seat_close_device(seat, fd);
+}
+
+static bool list_all(FILE *file, struct seat *seat, struct sm_error *error)
+{
+	glob_t nodes = {0};
+	bool found = glob("/dev/dri/card*", 0, NULL, &nodes) == 0;
+	if (!found)
+		error_set(error, SM_ERROR_MACHINE,
 			"there is no display device (/dev/dri/card*); is its driver loaded?");
-	for (size_t i = 0; i < nodes.gl_pathc; i++)
-		list_device(file, nodes.gl_pathv[i]);
+	for (size_t i = 0; found && i < nodes.gl_pathc; i++)
+		list_device(file, nodes.gl_pathv[i], seat);
 	globfree(&nodes);
-	return true;
+	return found;
+}
+
+bool display_list(const char *device, FILE *file, struct sm_error *error)
+{
+	struct seat *seat = seat_create(error);
+	if (seat == NULL)
+		return false;
+	bool listed = device != NULL || list_all(file, seat, error);
+	if (device != NULL)
+		list_device(file, device, seat);
+	seat_destroy(seat);
+	return listed;
 }

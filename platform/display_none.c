@@ -81,8 +81,8 @@ void display_describe(const struct display *display, sm_fact fact, void *data)
 	(void)display, (void)fact, (void)data;
 }
 
-bool display_list(FILE *file, struct sm_error *error)
+bool display_list(const char *device, FILE *file, struct sm_error *error)
 {
-	(void)file;
+	(void)device, (void)file;
 	return refuse(error);
 }

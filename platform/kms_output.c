@@ -213,10 +213,14 @@ static bool use_connector(struct kms_output *output, const struct kms_device *de
 	       find_plane(output, device, wish, error);
 }
 
-static bool is_screen(const struct kms_device *device, const drmModeConnector *connector)
+/* Some drivers cannot tell whether there is a monitor: the user may, by naming the connector. */
+static bool is_screen(
+	const struct kms_device *device, const drmModeConnector *connector, bool named)
 {
 	struct kms_connector_properties properties;
-	if (connector->connection != DRM_MODE_CONNECTED || connector->count_modes == 0)
+	bool connected = connector->connection == DRM_MODE_CONNECTED ||
+			 (named && connector->connection == DRM_MODE_UNKNOWNCONNECTION);
+	if (!connected || connector->count_modes == 0)
 		return false;
 	kms_read_connector(device->fd, connector->connector_id, &properties);
 	return properties.non_desktop.id == 0 || properties.non_desktop.value == 0;
@@ -249,7 +253,8 @@ enum kms_search kms_output_find(struct kms_output *output, const struct kms_devi
 		snprintf(names + used, sizeof(names) - used, "%s%s", used > 0 ? ", " : "", name);
 		bool wanted = wish->connector == NULL || strcmp(wish->connector, name) == 0;
 		known = known || wanted;
-		if (wanted && search == KMS_NO_MONITOR && is_screen(device, connector))
+		if (wanted && search == KMS_NO_MONITOR &&
+			is_screen(device, connector, wish->connector != NULL))
 			search = use_connector(output, device, resources, connector, wish, error)
 					 ? KMS_FOUND
 					 : KMS_UNUSABLE;

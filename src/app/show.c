@@ -356,7 +356,8 @@ static bool run(int argc, char **argv, struct sm_error *error)
 		options_help(&show_command);
 	} else if (done) {
 		report_set_verbosity(options.common.debug ? 2 : options.common.verbosity);
-		done = options.list ? display_list(stdout, error) : show_scene(&options, error);
+		done = options.list ? display_list(options.common.device, stdout, error)
+				    : show_scene(&options, error);
 	}
 	scene_options_finish(&options.scene);
 	return done;
