@@ -132,6 +132,15 @@ static bool read_hotplug(struct display *display, struct sm_error *error)
 	}
 }
 
+/* Without a word yet: a seat manager takes a device away before it says that it takes the seat. */
+void display_lose_master(struct display *display)
+{
+	display->mode_set = false;
+	display->lost_master = true;
+	display->told_loss = false;
+	display->next_take = display_now() + SECOND;
+}
+
 static bool take_back(struct display *display, struct sm_error *error)
 {
 	if (!display->lost_master || display_now() < display->next_take)
@@ -140,12 +149,14 @@ static bool take_back(struct display *display, struct sm_error *error)
 	case KMS_DONE:
 		log_info("the display is ours again");
 		display->lost_master = false;
-		display->mode_set = false;
 		display->stale = display->changed = true;
 		return true;
 	case KMS_GONE:
 		return display_device_removed(display, error);
 	default:
+		if (!display->told_loss)
+			log_warning("another program has taken the display: waiting for it to end");
+		display->told_loss = true;
 		display->next_take = display_now() + SECOND;
 		return true;
 	}
@@ -161,8 +172,7 @@ static bool look_if_due(struct display *display, struct sm_error *error)
 		return display_device_removed(display, error);
 	/* A program that has come and gone leaves its own picture, or none. */
 	if (display->mode_set && kms_device_take(&display->device) != KMS_DONE) {
-		display->lost_master = true;
-		display->next_take = display_now() + SECOND;
+		display_lose_master(display);
 		return true;
 	}
 	return look(display, probe, false, error);

@@ -153,11 +153,7 @@ static bool commit_failed(struct display *display, enum kms_result result, struc
 	case KMS_GONE:
 		return display_device_removed(display, error);
 	case KMS_NO_MASTER:
-		display->mode_set = false;
-		if (!display->lost_master)
-			log_warning("another program has taken the display: waiting for it to end");
-		display->lost_master = true;
-		display->next_take = display_now() + SECOND;
+		display_lose_master(display);
 		return true;
 	case KMS_REFUSED:
 		return display_next_attempt(display, &why, error);

@@ -51,6 +51,7 @@ struct display {
 	bool mode_set;
 	bool stale;       /* the screen has lost the picture */
 	bool lost_master; /* to another program, while our seat is active */
+	bool told_loss;   /* so the log knows */
 	bool changed;     /* monitors have to be looked for */
 	bool removed;     /* the device */
 	bool async_works;
@@ -88,6 +89,9 @@ bool display_next_attempt(
 	struct display *display, const struct sm_error *why, struct sm_error *error);
 /** Lets the output go; off: switches it off. */
 void display_drop_output(struct display *display, bool off);
+
+/** Another program has the device: it will be asked for until it can be had again. */
+void display_lose_master(struct display *display);
 
 /** Handles the events that have arrived. */
 bool display_read_events(struct display *display, struct sm_error *error);
