@@ -48,7 +48,7 @@ bool swapchain_begin(struct swapchain *swapchain, struct sm_error *error);
 bool swapchain_end(struct swapchain *swapchain, const uint8_t *rgba, struct kms_frame *frame,
 	struct sm_error *error);
 
-/** The framebuffer is no longer shown. 0 is fine. */
+/** The framebuffer is no longer shown, or could not be. 0 is fine. */
 void swapchain_release(struct swapchain *swapchain, uint32_t framebuffer);
 
 /** NULL is fine. */

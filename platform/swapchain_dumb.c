@@ -30,6 +30,7 @@ struct dumb_swapchain {
 	size_t row_size;
 	uint64_t frame;
 	struct rect damage;
+	bool last_shown; /* what differs from it differs from the screen */
 };
 
 static bool fail(struct sm_error *error, const char *what)
@@ -153,16 +154,23 @@ static bool end(struct swapchain *base, const uint8_t *rgba, struct kms_frame *f
 	/* A clip without area could be taken for all: the smallest says "next to nothing". */
 	if (swapchain->damage.width == 0)
 		swapchain->damage = (struct rect){0, 0, 1, 1};
-	frame->damage = swapchain->frame > 1 ? &swapchain->damage : NULL;
+	frame->damage = swapchain->last_shown ? &swapchain->damage : NULL;
+	swapchain->last_shown = true;
 	return true;
 }
 
 static void release(struct swapchain *base, uint32_t framebuffer)
 {
 	struct dumb_swapchain *swapchain = (struct dumb_swapchain *)base;
-	for (int i = 0; i < BUFFER_COUNT; i++)
-		if (swapchain->buffers[i].framebuffer == framebuffer)
-			swapchain->buffers[i].busy = false;
+	for (int i = 0; i < BUFFER_COUNT; i++) {
+		struct buffer *buffer = &swapchain->buffers[i];
+		if (buffer->framebuffer != framebuffer)
+			continue;
+		buffer->busy = false;
+		/* The screen has the frame before, whose differences are no longer known. */
+		if (buffer->frame == swapchain->frame)
+			swapchain->last_shown = false;
+	}
 }
 
 static const struct swapchain_interface dumb_interface = {
