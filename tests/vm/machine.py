@@ -40,7 +40,7 @@ class Job:
     def __init__(self, machine, name, command):
         self.machine, self.name, self.command = machine, name, command
         self.status = None
-        self.lasting = False  # a service: stop_jobs() leaves it
+        self.lasting = False  # goes on when a case has passed
 
     def _text(self, suffix):
         try:
@@ -246,10 +246,10 @@ class Machine:
         self.show_console()
         self._console_key('4')
 
-    def stop_jobs(self):
-        """Ends whatever still runs."""
+    def stop_jobs(self, lasting):
+        """Ends whatever still runs; lasting: also what is there for several cases."""
         for job in list(self.jobs.values()):
-            if job.status is None and not job.lasting:
+            if job.status is None and (lasting or not job.lasting):
                 job.stop('KILL')
 
     def _console_key(self, key):

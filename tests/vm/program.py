@@ -47,6 +47,16 @@ def show(bench, driver, arguments='', **options):
     return job
 
 
+def running(bench, key, start):
+    """The program that case after case goes on with: the one of before, or else what start()
+    returns."""
+    job = bench.running.get(key)
+    if job is None or job.status is not None:
+        job = bench.running[key] = start()
+        job.lasting = True
+    return job
+
+
 def flips(job):
     """The ticks of the frames that were shown so far."""
     return [int(line.rsplit(' ', 1)[1]) for line in job.err.splitlines() if ' flip: frame ' in line]
@@ -63,12 +73,6 @@ def fact(job, name):
     values = [line.split(': ', 1)[1] for line in job.out.splitlines() if line.startswith(name + ': ')]
     assert values, f'no "{name}" in:\n{job.out}{job.err}'
     return values[-1]
-
-
-def complaints(job):
-    """The lines that say more than what goes on."""
-    return [line for line in job.err.splitlines() if line.startswith('smoothie: ') and
-            not line.startswith(('smoothie: debug:', 'smoothie: info:'))]
 
 
 def picture(bench, size, arguments=''):

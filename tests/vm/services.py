@@ -16,9 +16,14 @@ def start_udev(bench):
 
 
 def start_seatd(bench, user='nobody'):
-    """Starts seatd, whose socket is the user's; returns its Job."""
+    """Starts seatd, if it does not run yet; its socket is the user's."""
     if bench.guest.run('command -v seatd')[0] != 0:
-        raise Skip('there is no seatd')
-    seatd = bench.guest.start(f'exec seatd -l debug -u {user}', 'seatd')
-    seatd.says('seatd started', 20)
-    return seatd
+        raise Skip('there is no seatd (package seatd)')
+    if 'seatd' not in bench.running:
+        seatd = bench.running['seatd'] = bench.guest.start(f'exec seatd -u {user}', 'seatd')
+        seatd.lasting = True
+        seatd.says('seatd started', 20)
+
+
+def stop_seatd(bench):
+    bench.running.pop('seatd').stop()

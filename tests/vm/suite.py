@@ -32,7 +32,7 @@ class Bench:
 
     def __init__(self, build, guest, image):
         self.build, self.guest, self.image = build, guest, image
-        self._cards, self.pictures = {}, {}
+        self._cards, self.pictures, self.running = {}, {}, {}
 
     def tool(self, name):
         return os.path.join(self.build, 'tests', 'vm', name)
@@ -46,6 +46,12 @@ class Bench:
         lines = self.guest.check('grep -s . /sys/kernel/debug/dri/?/name || true')
         self._cards = {line.split(':', 1)[1].split()[0]: f'/dev/dri/card{line.split("/")[-2]}'
                        for line in lines.splitlines()}
+
+    def start_over(self):
+        """Ends whatever runs, so that the next case finds nothing of this one."""
+        self.running = {}
+        if not self.guest.failed:
+            self.guest.stop_jobs(lasting=True)
 
     def card(self, driver):
         """The device of a driver."""
@@ -81,9 +87,10 @@ def run_case(number, case, bench):
             raise machine.Hang('the guest hung before')
         try:
             case(bench)
-        finally:
-            if not bench.guest.failed:
-                bench.guest.stop_jobs()
+        except Exception:
+            bench.start_over()
+            raise
+        bench.guest.stop_jobs(lasting=False)
     except Skip as skip:
         tell(f'not ok {number}' if required() else f'ok {number}', case, f' # SKIP {skip}')
         return not required()
