@@ -3,7 +3,7 @@
 
 int64_t display_clock_period(const struct display_clock *clock)
 {
-	/* Both are 1 or more, says mode_refresh(). */
+	/* Both are 1 or more, says mode_refresh(), and rates end well below 1 GHz: > 0. */
 	return (int64_t)(UINT64_C(1000000000) * clock->refresh.denominator /
 			 clock->refresh.numerator);
 }
@@ -21,12 +21,19 @@ void display_clock_set_refresh(struct display_clock *clock, struct refresh refre
 uint64_t display_clock_flip(struct display_clock *clock, bool waits, int64_t time)
 {
 	int64_t period = display_clock_period(clock);
-	uint64_t steps = 0;
-	/* period > 0: rates end well below 1 GHz. */
-	if (clock->started && time > clock->time)
-		steps = (uint64_t)((time - clock->time + period / 2) / period);
+	int64_t elapsed = clock->started && time > clock->time ? time - clock->time : 0;
+	uint64_t steps;
+	if (waits && clock->waits) {
+		/* Times of blanks: whole periods apart, but for the clock's own deviation. */
+		steps = (uint64_t)((elapsed + period / 2) / period);
+		clock->time = time;
+	} else {
+		/* At any time: what is left over of a period counts for the next frame. One that
+		 * waited by itself may be early by a trifle. */
+		steps = (uint64_t)((elapsed + period / 8) / period);
+		clock->time = clock->started ? clock->time + (int64_t)steps * period : time;
+	}
 	clock->tick += steps;
-	clock->time = time;
 	clock->waits = waits;
 	clock->started = true;
 	return steps;

@@ -14,7 +14,7 @@
 struct display_clock {
 	struct refresh refresh;
 	uint64_t tick; /* of the frame that is shown */
-	int64_t time;  /* ns of the monotonic clock at which it appeared */
+	int64_t time;  /* ns of the monotonic clock at which the tick was */
 	bool started;
 	bool waits; /* the driver waits for vertical blanks; virtual ones do not */
 };

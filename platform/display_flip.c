@@ -43,16 +43,20 @@ void display_flip_done(struct display *display, bool waited, int64_t time)
 		(unsigned long long)display->drawn_tick);
 }
 
-/* A driver without vertical blanks counts none. */
-/* A driver without vertical blanks counts none. */
+/* A driver without vertical blanks counts none; flips without vsync do not wait for those there
+ * are.
+ */
+/* A driver without vertical blanks counts none; flips without vsync do not wait for those there
+ * are.
+ */
 static void on_flip(
 	int fd, unsigned count, unsigned seconds, unsigned microseconds, unsigned crtc, void *data)
 {
 	struct display *display = data;
 	(void)fd, (void)crtc;
 	if (display->flip_pending)
-		display_flip_done(
-			display, count != 0, seconds * SECOND + microseconds * INT64_C(1000));
+		display_flip_done(display, count != 0 && !display->async_works,
+			seconds * SECOND + microseconds * INT64_C(1000));
 }
 
 /* An event that never comes must not stop the picture for ever. */
