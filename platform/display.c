@@ -9,8 +9,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#define SECOND INT64_C(1000000000)
-
 /* Where no event tells of a monitor: how often to look for one, and whether the one that shows the
  * picture is still there, which takes one call that asks the kernel alone. */
 static const int64_t look_waiting = 2 * SECOND;

@@ -118,14 +118,19 @@ static enum trial try_device(struct display *display, const char *path, struct s
 	return trial;
 }
 
+bool display_no_device(struct sm_error *error)
+{
+	return error_set(error, SM_ERROR_MACHINE,
+		"there is no display device (" DISPLAY_DEVICES "); is its driver loaded?");
+}
+
 /* The trials of several devices come to the one that promises most. */
 static enum trial try_devices(struct display *display, struct sm_error *error)
 {
 	enum trial best = TRIAL_UNUSABLE;
 	glob_t nodes;
-	error_set(error, SM_ERROR_MACHINE,
-		"there is no display device (/dev/dri/card*); is its driver loaded?");
-	if (glob("/dev/dri/card*", 0, NULL, &nodes) != 0)
+	display_no_device(error);
+	if (glob(DISPLAY_DEVICES, 0, NULL, &nodes) != 0)
 		return best;
 	bool told = false;
 	for (size_t i = 0; i < nodes.gl_pathc && best != TRIAL_SHOWS; i++) {

@@ -8,8 +8,6 @@
 #include <unistd.h>
 #include <xf86drm.h>
 
-#define SECOND INT64_C(1000000000)
-
 /* A driver that takes longer to show a frame has lost it. Setting a mode may take a while. */
 static const int64_t flip_limit = 3 * SECOND;
 /* After a commit that failed for want of something that may come. */

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "base/error.h"
-#include "display.h"
-#include "kms_output.h"
+#include "display_state.h"
 #include "node.h"
-#include "seat.h"
 #include <gbm.h>
 #include <glob.h>
 #include <xf86drm.h>
@@ -124,10 +121,9 @@ static void list_device(FILE *file, const char *path, struct seat *seat)
 static bool list_all(FILE *file, struct seat *seat, struct sm_error *error)
 {
 	glob_t nodes = {0};
-	bool found = glob("/dev/dri/card*", 0, NULL, &nodes) == 0;
+	bool found = glob(DISPLAY_DEVICES, 0, NULL, &nodes) == 0;
 	if (!found)
-		error_set(error, SM_ERROR_MACHINE,
-			"there is no display device (/dev/dri/card*); is its driver loaded?");
+		display_no_device(error);
 	for (size_t i = 0; found && i < nodes.gl_pathc; i++)
 		list_device(file, nodes.gl_pathv[i], seat);
 	globfree(&nodes);

@@ -12,14 +12,6 @@ static const char *const buffer_names[] = {
 	[BUFFERS_DUMB] = "dumb",
 };
 
-/* KMS counts its rotations counter-clockwise. */
-static uint64_t rotation_bit(unsigned clockwise)
-{
-	static const uint64_t bits[] = {
-		DRM_MODE_ROTATE_0, DRM_MODE_ROTATE_270, DRM_MODE_ROTATE_180, DRM_MODE_ROTATE_90};
-	return bits[clockwise / 90 % 4];
-}
-
 /* Whether buffers may be of that kind: $SMOOTHIE_BUFFERS, for debugging, allows gbm or dumb alone.
  */
 static bool is_allowed(const char *kind)
@@ -53,7 +45,7 @@ static void add_attempts(struct display *display, bool plane_turns)
 static void list_attempts(struct display *display)
 {
 	bool can_turn = display->options.rotation != 0 && display->kms == &kms_atomic &&
-			display->output.rotations & rotation_bit(display->options.rotation);
+			display->output.rotations & kms_rotation(display->options.rotation);
 	display->attempt_count = display->attempt = 0;
 	if (can_turn)
 		add_attempts(display, true);

@@ -70,8 +70,15 @@ struct display {
 	struct display_stats stats;
 };
 
+/** In ns, as all times. */
+#define SECOND INT64_C(1000000000)
+
 /** ns of the monotonic clock. */
 int64_t display_now(void);
+
+/** The paths that display devices have, and what to say when there are none. */
+#define DISPLAY_DEVICES "/dev/dri/card*"
+bool display_no_device(struct sm_error *error);
 
 /** Looks for a monitor on all devices, or the one of the options, and opens the device that has
  *  one. Without a monitor nothing stays open. first: a device in use is an error. */

@@ -5,14 +5,6 @@
 #include <xf86drm.h>
 #include <xf86drmMode.h>
 
-/* KMS counts its rotations counter-clockwise. */
-static uint64_t rotation_value(unsigned clockwise)
-{
-	static const uint64_t values[] = {
-		DRM_MODE_ROTATE_0, DRM_MODE_ROTATE_270, DRM_MODE_ROTATE_180, DRM_MODE_ROTATE_90};
-	return values[clockwise / 90 % 4];
-}
-
 static void add_plane(
 	struct kms_request *request, const struct kms_output *output, const struct kms_frame *frame)
 {
@@ -28,7 +20,7 @@ static void add_plane(
 	kms_request_add(request, id, &plane->crtc_y, 0);
 	kms_request_add(request, id, &plane->crtc_w, output->mode.hdisplay);
 	kms_request_add(request, id, &plane->crtc_h, output->mode.vdisplay);
-	kms_request_add_optional(request, id, &plane->rotation, rotation_value(frame->rotation));
+	kms_request_add_optional(request, id, &plane->rotation, kms_rotation(frame->rotation));
 }
 
 /* Properties have the same id on all objects of a kind. */

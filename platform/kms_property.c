@@ -101,6 +101,14 @@ void kms_read_plane(int fd, uint32_t id, struct kms_plane_properties *properties
 		fd, id, DRM_MODE_OBJECT_PLANE, plane_entries, COUNT(plane_entries), properties);
 }
 
+uint64_t kms_rotation(unsigned clockwise)
+{
+	/* KMS counts them counter-clockwise. */
+	static const uint64_t bits[] = {
+		DRM_MODE_ROTATE_0, DRM_MODE_ROTATE_270, DRM_MODE_ROTATE_180, DRM_MODE_ROTATE_90};
+	return bits[clockwise / 90 % 4];
+}
+
 uint64_t kms_rotations(int fd, const struct kms_property *rotation)
 {
 	uint64_t rotations = 0;

@@ -34,6 +34,9 @@ void kms_read_connector(int fd, uint32_t id, struct kms_connector_properties *pr
 void kms_read_crtc(int fd, uint32_t id, struct kms_crtc_properties *properties);
 void kms_read_plane(int fd, uint32_t id, struct kms_plane_properties *properties);
 
+/** The DRM_MODE_ROTATE_* bit of a rotation by 0, 90, 180 or 270 degrees clockwise. */
+uint64_t kms_rotation(unsigned clockwise);
+
 /** The DRM_MODE_ROTATE_* and _REFLECT_* bits that a plane's rotation property takes. */
 uint64_t kms_rotations(int fd, const struct kms_property *rotation);
 
