@@ -164,6 +164,10 @@ static bool catch_signals(struct show *show, struct sm_error *error)
 	sigaddset(&set, SIGHUP);
 	sigaddset(&set, SIGUSR1);
 	pthread_sigmask(SIG_BLOCK, &set, NULL);
+	/* Counts into a closed pipe are an error like others; a stopped program would keep the
+	 * display. */
+	signal(SIGPIPE, SIG_IGN);
+	signal(SIGTSTP, SIG_IGN);
 	show->signals = signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
 	return show->signals >= 0 ||
 	       error_set(error, SM_ERROR_MACHINE, "cannot wait for signals (%s)", strerror(errno));
