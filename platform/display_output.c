@@ -146,6 +146,9 @@ static bool use_output(
 	display->output = *output;
 	/* A later monitor may lack the mode that was wanted of the first. */
 	display->wish.any_mode = true;
+	if (mode_choose(&display->wish.mode, &output->mode, 1, &output->mode) == NULL)
+		log_warning(
+			"%s lacks the wanted mode: taking the one that it prefers", output->name);
 	display_clock_set_refresh(&display->clock, mode_refresh(&output->mode));
 	struct refresh refresh = display->clock.refresh;
 	log_info("%s: %ux%u at %.5g Hz", output->name, output->mode.hdisplay, output->mode.vdisplay,

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "kms_output.h"
 #include "base/error.h"
-#include "base/log.h"
 #include <drm_fourcc.h>
 #include <stdio.h>
 #include <string.h>
@@ -185,11 +184,8 @@ static bool choose_mode(struct kms_output *output, const struct kms_device *devi
 	const drmModeModeInfo *current =
 		crtc != NULL && crtc->mode_valid && connector->encoder_id != 0 ? &crtc->mode : NULL;
 	const drmModeModeInfo *mode = mode_choose(&wish->mode, connector->modes, count, current);
-	if (mode == NULL && wish->any_mode) {
-		log_warning(
-			"%s lacks the wanted mode: taking the one that it prefers", output->name);
+	if (mode == NULL && wish->any_mode)
 		mode = mode_choose(&preferred, connector->modes, count, current);
-	}
 	if (mode != NULL)
 		output->mode = *mode;
 	drmModeFreeCrtc(crtc);
