@@ -21,6 +21,20 @@ static unsigned crtc_position(const drmModeRes *resources, uint32_t crtc)
 	return (unsigned)index;
 }
 
+/* Those that light a monitor, as a mask. */
+static uint32_t crtcs_in_use(const struct kms_device *device, const drmModeRes *resources)
+{
+	uint32_t used = 0;
+	for (int i = 0; i < resources->count_encoders; i++) {
+		drmModeEncoder *encoder = drmModeGetEncoder(device->fd, resources->encoders[i]);
+		unsigned index = encoder != NULL ? crtc_position(resources, encoder->crtc_id) : 32;
+		if (index < 32) /* masks have so many bits */
+			used |= UINT32_C(1) << index;
+		drmModeFreeEncoder(encoder);
+	}
+	return used;
+}
+
 bool kms_choose_crtc(const struct kms_device *device, const drmModeRes *resources,
 	const drmModeConnector *connector, uint32_t *crtc, unsigned *crtc_index)
 {
@@ -36,7 +50,9 @@ bool kms_choose_crtc(const struct kms_device *device, const drmModeRes *resource
 	}
 	*crtc = current;
 	*crtc_index = crtc_position(resources, current);
-	/* Masks of CRTCs have 32 bits. */
+	uint32_t unused = possible & ~crtcs_in_use(device, resources);
+	if (unused != 0)
+		possible = unused;
 	for (unsigned i = 0; *crtc == 0 && i < (unsigned)resources->count_crtcs && i < 32; i++)
 		if (possible >> i & 1) {
 			*crtc = resources->crtcs[i];

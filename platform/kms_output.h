@@ -55,7 +55,8 @@ enum kms_search kms_output_find(struct kms_output *output, const struct kms_devi
 /** Writes a connector's name, such as "HDMI-A-1". */
 void kms_connector_name(const drmModeConnector *connector, char name[KMS_NAME_SIZE]);
 
-/** The CRTC that drives a connector now, or the first that can; false: none can. */
+/** The CRTC that drives a connector now, or the first that can, best one that drives no other;
+ *  false: none can. */
 bool kms_choose_crtc(const struct kms_device *device, const drmModeRes *resources,
 	const drmModeConnector *connector, uint32_t *crtc, unsigned *crtc_index);
 
