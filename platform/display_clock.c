@@ -3,9 +3,10 @@
 
 int64_t display_clock_period(const struct display_clock *clock)
 {
-	/* Both are 1 or more, says mode_refresh(), and rates end well below 1 GHz: > 0. */
-	return (int64_t)(UINT64_C(1000000000) * clock->refresh.denominator /
-			 clock->refresh.numerator);
+	/* Both are 1 or more, says mode_refresh(); broken modes may blank faster than times are. */
+	uint64_t period =
+		UINT64_C(1000000000) * clock->refresh.denominator / clock->refresh.numerator;
+	return period > 0 ? (int64_t)period : 1;
 }
 
 void display_clock_set_refresh(struct display_clock *clock, struct refresh refresh)
