@@ -43,7 +43,7 @@ class Bench:
             if module == 'vkms' and self.image.no_vkms:
                 continue
             self.guest.check(f'modprobe -d {self.image.folder} {module}')
-        lines = self.guest.check('grep -s . /sys/kernel/debug/dri/?/name || true')
+        lines = self.guest.check('grep -Hs . /sys/kernel/debug/dri/?/name || true')
         self._cards = {line.split(':', 1)[1].split()[0]: f'/dev/dri/card{line.split("/")[-2]}'
                        for line in lines.splitlines()}
 
