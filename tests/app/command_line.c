@@ -6,12 +6,16 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <glob.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #define CYLINDER "builtin:cylinder"
+
+/* What a command line is refused for by a build that can show something. */
+#define DISPLAY_PROBLEM(text) (SMOOTHIE_HAS_DISPLAY ? (text) : "a display needs GBM and libdrm")
 
 static const struct {
 	int status;
@@ -84,6 +88,19 @@ static const struct {
 	{2, "no device \"gpu\"", {"render", CYLINDER, "--device", "gpu"}},
 	{2, "/dev/dri/none does not work", {"render", CYLINDER, "--device", "/dev/dri/none"}},
 	{2, "no device \"gpu\"", {"info", "--device", "gpu"}},
+
+	{2, "SCENE is missing; see smoothie show --help", {"show"}},
+	{2, "--rotate 45: 0, 90, 180 or 270", {"show", CYLINDER, "--rotate", "45"}},
+	{2, "--vsync maybe: on or off", {"show", CYLINDER, "--vsync", "maybe"}},
+	{2, "--frames 0: ", {"show", CYLINDER, "--frames", "0"}},
+	{2, "--connector needs NAME", {"show", CYLINDER, "--connector"}},
+	{2, "unknown flag --size", {"show", CYLINDER, "--size", "3x3"}},
+	{2, "missing.obj", {"show", "missing.obj"}},
+	{2, DISPLAY_PROBLEM("no mode \"9x\": "), {"show", CYLINDER, "--mode", "9x"}},
+	{2, DISPLAY_PROBLEM("no format \"nope\": "), {"show", CYLINDER, "--format", "nope"}},
+	{2, DISPLAY_PROBLEM("device /dev/dri/none: No such file"),
+		{"show", CYLINDER, "--device", "/dev/dri/none"}},
+
 	{2, "unknown flag --size", {"info", "--size", "3x3"}},
 	{2, "missing.obj", {"info", "missing.obj"}},
 	{2, "not also second", {"info", CYLINDER, "second"}},
@@ -129,6 +146,21 @@ static void test_no_usable_egl_is_a_failure_of_the_machine(void **state)
 	outcome_finish(&outcome);
 }
 
+static void test_no_display_device_is_a_failure_of_the_machine(void **state)
+{
+	(void)state;
+	glob_t nodes;
+	if (!SMOOTHIE_HAS_DISPLAY || glob("/dev/dri/card*", 0, NULL, &nodes) == 0)
+		skip();
+	static const char *const commands[][2] = {{CYLINDER, "--stats"}, {"--list", NULL}};
+	for (size_t i = 0; i < 2; i++) {
+		struct outcome outcome = RUN("show", commands[i][0], commands[i][1]);
+		assert_failure(&outcome, 1, "there is no display device (/dev/dri/card*)");
+		assert_string_equal(outcome.out, "");
+		outcome_finish(&outcome);
+	}
+}
+
 static void test_standard_output_that_is_full_is_an_error(void **state)
 {
 	(void)state;
@@ -161,6 +193,7 @@ static void test_help_in_every_form(void **state)
 		{{"help", "render"}, "usage: smoothie render SCENE"},
 		{{"render", "--help"}, "usage: smoothie render SCENE"},
 		{{"info", "-h"}, "usage: smoothie info"},
+		{{"show", "-h"}, "usage: smoothie show SCENE"},
 	};
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct run run = {{NULL}};
@@ -210,6 +243,7 @@ int main(void)
 			test_refusals_are_one_line_and_leave_nothing, enter_scratch, leave_scratch),
 		cmocka_unit_test_setup_teardown(test_no_usable_egl_is_a_failure_of_the_machine,
 			enter_scratch, leave_scratch),
+		cmocka_unit_test(test_no_display_device_is_a_failure_of_the_machine),
 		cmocka_unit_test_setup_teardown(test_standard_output_that_is_full_is_an_error,
 			enter_scratch, leave_scratch),
 		cmocka_unit_test(test_version),
