@@ -24,6 +24,13 @@ static void add_plane(
 }
 
 /* Properties have the same id on all objects of a kind. */
+static void add_other_connectors(struct kms_request *request, const struct kms_output *output)
+{
+	for (size_t i = 0; i < output->other_connector_count; i++)
+		kms_request_add(request, output->other_connectors[i],
+			&output->connector_properties.crtc_id, 0);
+}
+
 static void add_other_planes(struct kms_request *request, const struct kms_output *output)
 {
 	const struct kms_plane_properties *plane = &output->plane_properties;
@@ -60,6 +67,7 @@ static enum kms_result set_mode(const struct kms_device *device, const struct km
 		&request, output->connector, &output->connector_properties.crtc_id, output->crtc);
 	kms_request_add_optional(
 		&request, output->connector, &output->connector_properties.link_status, 0);
+	add_other_connectors(&request, output);
 	kms_request_add(&request, output->crtc, &output->crtc_properties.mode_id, mode);
 	kms_request_add(&request, output->crtc, &output->crtc_properties.active, 1);
 	add_plane(&request, output, frame);

@@ -61,6 +61,29 @@ bool kms_choose_crtc(const struct kms_device *device, const drmModeRes *resource
 	return *crtc != 0 && *crtc_index < 32;
 }
 
+bool kms_is_lit(const struct kms_device *device, uint32_t connector, uint32_t crtc)
+{
+	drmModeConnector *info = drmModeGetConnectorCurrent(device->fd, connector);
+	drmModeEncoder *encoder = info != NULL && info->encoder_id != 0
+					  ? drmModeGetEncoder(device->fd, info->encoder_id)
+					  : NULL;
+	bool lit = encoder != NULL && encoder->crtc_id == crtc;
+	drmModeFreeEncoder(encoder);
+	drmModeFreeConnector(info);
+	return lit;
+}
+
+static void find_other_connectors(
+	struct kms_output *output, const struct kms_device *device, const drmModeRes *resources)
+{
+	for (int i = 0; i < resources->count_connectors; i++)
+		if (resources->connectors[i] != output->connector &&
+			output->other_connector_count < KMS_OTHER_CONNECTORS_MAX &&
+			kms_is_lit(device, resources->connectors[i], output->crtc))
+			output->other_connectors[output->other_connector_count++] =
+				resources->connectors[i];
+}
+
 static bool is_primary(const struct kms_device *device, uint32_t plane)
 {
 	struct kms_plane_properties properties;
@@ -221,6 +244,7 @@ static bool use_connector(struct kms_output *output, const struct kms_device *de
 	kms_connector_name(connector, output->name);
 	if (!kms_choose_crtc(device, resources, connector, &output->crtc, &output->crtc_index))
 		return error_set(error, SM_ERROR_MACHINE, "%s has no CRTC left", output->name);
+	find_other_connectors(output, device, resources);
 	return choose_mode(output, device, wish, connector, error) &&
 	       find_plane(output, device, wish, error);
 }

@@ -9,6 +9,7 @@
 
 #define KMS_MODIFIERS_MAX 64
 #define KMS_OTHER_PLANES_MAX 16
+#define KMS_OTHER_CONNECTORS_MAX 7
 #define KMS_NAME_SIZE 32
 
 /** What the user wants to be shown on; zero: whatever there is. */
@@ -32,6 +33,9 @@ struct kms_output {
 	uint64_t rotations;                          /* DRM_MODE_ROTATE_* that the plane does */
 	uint32_t other_planes[KMS_OTHER_PLANES_MAX]; /* on the CRTC, to be switched off */
 	size_t other_plane_count;
+	/* Lit by the CRTC too: few drivers can keep them so. */
+	uint32_t other_connectors[KMS_OTHER_CONNECTORS_MAX];
+	size_t other_connector_count;
 	struct kms_connector_properties connector_properties;
 	struct kms_crtc_properties crtc_properties;
 	struct kms_plane_properties plane_properties;
@@ -59,6 +63,9 @@ void kms_connector_name(const drmModeConnector *connector, char name[KMS_NAME_SI
  *  false: none can. */
 bool kms_choose_crtc(const struct kms_device *device, const drmModeRes *resources,
 	const drmModeConnector *connector, uint32_t *crtc, unsigned *crtc_index);
+
+/** Whether the connector is lit by the CRTC. */
+bool kms_is_lit(const struct kms_device *device, uint32_t connector, uint32_t crtc);
 
 /** The formats of a plane in the order of the driver, freed with drmModeFreePlane(); NULL without
  *  a primary plane for the CRTC. */

@@ -1,31 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "kms_saved.h"
 #include "base/log.h"
+#include <string.h>
 #include <xf86drm.h>
 #include <xf86drmMode.h>
-
-/* Whether the connector is lit by the CRTC. */
-static bool is_on(const struct kms_device *device, uint32_t connector, uint32_t crtc)
-{
-	drmModeConnector *info = drmModeGetConnectorCurrent(device->fd, connector);
-	drmModeEncoder *encoder = info != NULL && info->encoder_id != 0
-					  ? drmModeGetEncoder(device->fd, info->encoder_id)
-					  : NULL;
-	bool on = encoder != NULL && encoder->crtc_id == crtc;
-	drmModeFreeEncoder(encoder);
-	drmModeFreeConnector(info);
-	return on;
-}
 
 void kms_save(
 	struct kms_saved *saved, const struct kms_device *device, const struct kms_output *output)
 {
 	*saved = (struct kms_saved){.crtc = output->crtc, .plane = output->plane};
 	drmModeCrtc *crtc = drmModeGetCrtc(device->fd, output->crtc);
+	for (size_t i = 0; i < output->other_connector_count; i++)
+		saved->connectors[saved->connector_count++] = output->other_connectors[i];
+	if (kms_is_lit(device, output->connector, output->crtc))
+		saved->connectors[saved->connector_count++] = output->connector;
 	if (crtc != NULL && crtc->mode_valid && crtc->buffer_id != 0 &&
-		is_on(device, output->connector, output->crtc)) {
+		saved->connector_count > 0) {
 		saved->lit = true;
-		saved->connector = output->connector;
 		saved->framebuffer = crtc->buffer_id;
 		saved->x = crtc->x;
 		saved->y = crtc->y;
@@ -55,10 +46,11 @@ void kms_restore(const struct kms_saved *saved, const struct kms_device *device)
 	if (saved->crtc == 0)
 		return;
 	restore_rotation(saved, device);
-	uint32_t connector = saved->connector;
+	uint32_t connectors[KMS_OTHER_CONNECTORS_MAX + 1];
+	memcpy(connectors, saved->connectors, sizeof(connectors));
 	drmModeModeInfo mode = saved->mode;
 	if (saved->lit && drmModeSetCrtc(device->fd, saved->crtc, saved->framebuffer, saved->x,
-				  saved->y, &connector, 1, &mode) == 0)
+				  saved->y, connectors, (int)saved->connector_count, &mode) == 0)
 		return;
 	if (saved->lit)
 		log_debug("what was shown before is gone");

@@ -6,7 +6,9 @@
 
 /** What a CRTC showed before; zero: nothing was saved. */
 struct kms_saved {
-	uint32_t crtc, connector; /* connector 0: none was lit */
+	uint32_t crtc;
+	uint32_t connectors[KMS_OTHER_CONNECTORS_MAX + 1]; /* that were lit */
+	size_t connector_count;
 	uint32_t framebuffer, x, y;
 	drmModeModeInfo mode;
 	bool lit;
