@@ -179,6 +179,24 @@ static void other_monitors_are_left_alone(void **state)
 	}
 }
 
+static void a_crtc_that_is_the_only_one_is_taken_over(void **state)
+{
+	(void)state;
+	for (int kind = 0; kind < 2; kind++) {
+		struct viewer viewer;
+		struct fake_drm *drm = begin(kind);
+		drm->connectors[0].possible_crtcs = drm->connectors[1].possible_crtcs = 1;
+		plug(drm, 1, true);
+		viewer_start(&viewer, &(struct display_options){.connector = "DP-1"});
+		viewer_run(&viewer, SECOND);
+		viewer_assert_runs(&viewer);
+		assert_int_equal(drm->objects[0].values[FAKE_CRTC_ID], 0);
+		viewer_assert_leaves_nothing(&viewer);
+		assert_int_equal(drm->crtcs[0].shown, FAKE_CONSOLE);
+		assert_int_equal(drm->objects[0].values[FAKE_CRTC_ID], 10);
+	}
+}
+
 static void headsets_are_no_monitors(void **state)
 {
 	(void)state;
@@ -374,6 +392,7 @@ int main(void)
 		viewer_test(a_monitor_without_the_wanted_mode_is_told_of_once),
 		viewer_test(it_moves_to_another_monitor_when_its_own_is_gone),
 		viewer_test(other_monitors_are_left_alone),
+		viewer_test(a_crtc_that_is_the_only_one_is_taken_over),
 		viewer_test(headsets_are_no_monitors),
 		viewer_test(a_broken_link_is_set_up_anew),
 		viewer_test(it_pauses_while_another_program_has_the_display),

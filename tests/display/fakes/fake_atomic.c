@@ -67,6 +67,8 @@ int fake_drm_check(struct fake_drm *drm, const struct fake_object *objects)
 		size_t lit = 0;
 		for (size_t j = 0; j < FAKE_CONNECTORS; j++)
 			lit += objects[j].values[FAKE_CRTC_ID] == crtc->id;
+		if (lit > 1) /* as most drivers */
+			return EINVAL;
 		bool enabled = crtc->values[FAKE_MODE_ID] != 0;
 		if (enabled != (lit > 0) || (crtc->values[FAKE_ACTIVE] != 0 && !enabled))
 			return EINVAL;
