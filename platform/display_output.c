@@ -188,6 +188,8 @@ bool display_find_output(struct display *display, bool probe, struct sm_error *e
 	}
 	if (display->output.name[0] == '\0' || !is_same(&output, &display->output))
 		return use_output(display, &output, error);
+	/* Others may have lit planes and connectors meanwhile. */
+	display->output = output;
 	/* DisplayPort links that broke have to be set up anew. */
 	if (output.connector_properties.link_status.value != 0) {
 		display->mode_set = false;
