@@ -230,11 +230,14 @@ static void a_broken_link_is_set_up_anew(void **state)
 	viewer_assert_leaves_nothing(&viewer);
 }
 
-/* Another program shows its own, and leaves it when it ends. */
+/* Another program shows its own, with an overlay, and leaves it when it ends. */
 static void intrude(struct fake_drm *drm)
 {
+	uint64_t *overlay = drm->objects[FAKE_OBJECTS - 1].values;
 	fake_drm_steal(drm);
 	fake_drm_light_console(drm);
+	overlay[FAKE_FB_ID] = FAKE_CONSOLE;
+	overlay[FAKE_CRTC_ID] = 10;
 }
 
 static void it_pauses_while_another_program_has_the_display(void **state)
@@ -265,6 +268,7 @@ static void it_pauses_while_another_program_has_the_display(void **state)
 			viewer.moves = false;
 			viewer_run(&viewer, SECOND);
 			viewer_assert_runs(&viewer);
+			assert_int_equal(drm->objects[FAKE_OBJECTS - 1].values[FAKE_FB_ID], 0);
 			assert_int_equal(viewer.warnings, 1);
 			viewer_assert_leaves_nothing(&viewer);
 		}
