@@ -231,13 +231,17 @@ static void a_broken_link_is_set_up_anew(void **state)
 }
 
 /* Another program shows its own, with an overlay, and leaves it when it ends. */
-static void intrude(struct fake_drm *drm)
+static void show_other(struct fake_drm *drm)
 {
 	uint64_t *overlay = drm->objects[FAKE_OBJECTS - 1].values;
-	fake_drm_steal(drm);
 	fake_drm_light_console(drm);
 	overlay[FAKE_FB_ID] = FAKE_CONSOLE;
 	overlay[FAKE_CRTC_ID] = 10;
+}
+
+static void assert_other_is_gone(const struct fake_drm *drm)
+{
+	assert_int_equal(drm->objects[FAKE_OBJECTS - 1].values[FAKE_FB_ID], 0);
 }
 
 static void it_pauses_while_another_program_has_the_display(void **state)
@@ -250,7 +254,8 @@ static void it_pauses_while_another_program_has_the_display(void **state)
 			viewer_start(&viewer, NULL);
 			viewer.moves = moves;
 			viewer_run(&viewer, SECOND);
-			intrude(drm);
+			fake_drm_steal(drm);
+			show_other(drm);
 			viewer_run(&viewer, 10 * SECOND);
 			assert_false(viewer.ended);
 			assert_false(display_is_on(viewer.display));
@@ -268,7 +273,7 @@ static void it_pauses_while_another_program_has_the_display(void **state)
 			viewer.moves = false;
 			viewer_run(&viewer, SECOND);
 			viewer_assert_runs(&viewer);
-			assert_int_equal(drm->objects[FAKE_OBJECTS - 1].values[FAKE_FB_ID], 0);
+			assert_other_is_gone(drm);
 			assert_int_equal(viewer.warnings, 1);
 			viewer_assert_leaves_nothing(&viewer);
 		}
@@ -307,7 +312,8 @@ static void it_pauses_while_the_seat_is_away(void **state)
 			viewer.moves = moves;
 			viewer_run(&viewer, SECOND + SECOND / 100);
 			set_seat(drm, false);
-			fake_drm_light_console(drm);
+			drm->connectors[0].mode_count = 1; /* in the same mode */
+			show_other(drm);
 			viewer_run(&viewer, SECOND);
 			assert_false(display_is_on(viewer.display));
 			unsigned drawn = viewer.drawn;
@@ -321,6 +327,7 @@ static void it_pauses_while_the_seat_is_away(void **state)
 			viewer.moves = false;
 			viewer_run(&viewer, SECOND);
 			viewer_assert_runs(&viewer);
+			assert_other_is_gone(drm);
 			assert_int_equal(viewer.warnings, 0);
 			viewer_assert_leaves_nothing(&viewer);
 		}
