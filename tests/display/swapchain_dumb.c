@@ -65,7 +65,7 @@ static void assert_holds_picture(const struct setup *setup, uint32_t framebuffer
 	const struct fake_framebuffer *shown = fake_framebuffer(setup->drm, framebuffer);
 	assert_non_null(shown);
 	assert_int_equal(shown->format, setup->format->code);
-	const uint8_t *pixels = setup->drm->pixels + ((size_t)shown->dumb << 20);
+	const uint8_t *pixels = setup->drm->pixels + (size_t)shown->dumb * FAKE_DUMB_ROOM;
 	for (uint32_t y = 0; y < setup->height; y++)
 		assert_memory_equal(pixels + y * shown->pitch, setup->packed + y * setup->row_size,
 			setup->row_size);

@@ -113,7 +113,7 @@ static int apply(
 	const uint32_t *properties = (const uint32_t *)(uintptr_t)atomic->props_ptr;
 	const uint64_t *values = (const uint64_t *)(uintptr_t)atomic->prop_values_ptr;
 	for (uint32_t i = 0; i < atomic->count_objs; i++) {
-		struct fake_object *object = fake_object(drm, next, ids[i]);
+		struct fake_object *object = fake_object(next, ids[i]);
 		if (object == NULL)
 			return ENOENT;
 		for (uint32_t j = 0; j < counts[i]; j++) {

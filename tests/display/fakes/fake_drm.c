@@ -17,9 +17,6 @@
 
 #define SECOND INT64_C(1000000000)
 
-/* Every dumb buffer has a place of its own in the memory. */
-enum { DUMB_ROOM = 1 << 20 };
-
 static struct fake_drm devices[2] = {
 	{.fd = -1, .far_end = -1, .memory = -1}, {.fd = -1, .far_end = -1, .memory = -1}};
 
@@ -110,10 +107,10 @@ struct fake_drm *fake_drm_init(size_t index, const struct fake_abilities *can)
 	for (size_t i = 0; i < FAKE_PLANES; i++)
 		make_plane(drm, object++, i);
 	drm->memory = memfd_create("fake-drm", MFD_CLOEXEC);
-	if (drm->memory < 0 || ftruncate(drm->memory, FAKE_BUFFERS * DUMB_ROOM) != 0)
+	if (drm->memory < 0 || ftruncate(drm->memory, FAKE_BUFFERS * FAKE_DUMB_ROOM) != 0)
 		abort();
-	drm->pixels = mmap(
-		NULL, FAKE_BUFFERS * DUMB_ROOM, PROT_READ | PROT_WRITE, MAP_SHARED, drm->memory, 0);
+	drm->pixels = mmap(NULL, FAKE_BUFFERS * FAKE_DUMB_ROOM, PROT_READ | PROT_WRITE, MAP_SHARED,
+		drm->memory, 0);
 	if (drm->pixels == MAP_FAILED)
 		abort();
 	return drm;
@@ -126,7 +123,7 @@ void fake_drm_finish(void)
 		for (size_t crtc = 0; crtc < FAKE_CRTCS; crtc++)
 			free(drm->crtcs[crtc].screen);
 		if (drm->pixels != NULL)
-			munmap(drm->pixels, FAKE_BUFFERS * DUMB_ROOM);
+			munmap(drm->pixels, FAKE_BUFFERS * FAKE_DUMB_ROOM);
 		if (drm->path != NULL)
 			close(drm->memory);
 		*drm = (struct fake_drm){.fd = -1, .far_end = -1, .memory = -1};
@@ -147,8 +144,8 @@ void fake_drm_light_console(struct fake_drm *drm)
 		mode->vdisplay, DRM_FORMAT_XRGB8888, 4u * mode->hdisplay, 0, 0};
 	memset(drm->pixels, 0xc0, drm->dumbs[0].size);
 	drm->objects[0].values[FAKE_CRTC_ID] = 10;
-	fake_object(drm, drm->objects, 10)->values[FAKE_ACTIVE] = 1;
-	fake_object(drm, drm->objects, 10)->values[FAKE_MODE_ID] = 1;
+	fake_object(drm->objects, 10)->values[FAKE_ACTIVE] = 1;
+	fake_object(drm->objects, 10)->values[FAKE_MODE_ID] = 1;
 	primary->values[FAKE_FB_ID] = FAKE_CONSOLE;
 	primary->values[FAKE_CRTC_ID] = 10;
 	primary->values[FAKE_CRTC_W] = mode->hdisplay;
@@ -218,9 +215,8 @@ void fake_drm_close(int fd)
 	}
 }
 
-struct fake_object *fake_object(struct fake_drm *drm, struct fake_object *objects, uint32_t id)
+struct fake_object *fake_object(struct fake_object *objects, uint32_t id)
 {
-	(void)drm;
 	for (size_t i = 0; i < FAKE_OBJECTS; i++)
 		if (objects[i].id == id)
 			return &objects[i];
@@ -326,7 +322,7 @@ static void send_pixels(struct fake_drm *drm, struct fake_crtc *crtc, uint32_t f
 	} else if (crtc->has_clip) {
 		clip = crtc->clip;
 	}
-	const uint8_t *pixels = drm->pixels + (size_t)from->dumb * DUMB_ROOM;
+	const uint8_t *pixels = drm->pixels + (size_t)from->dumb * FAKE_DUMB_ROOM;
 	for (int32_t y = clip.y1; y < clip.y2; y++)
 		memcpy(crtc->screen + (uint32_t)y * crtc->row_size + bytes * (uint32_t)clip.x1,
 			pixels + (uint32_t)y * from->pitch + bytes * (uint32_t)clip.x1,

@@ -128,6 +128,9 @@ struct fake_fault {
 
 enum { FAKE_BUFFERS = 12, FAKE_BLOBS = 8 };
 
+/** Bytes from one dumb buffer's place in the memory to the next. */
+enum { FAKE_DUMB_ROOM = 1 << 20 };
+
 struct fake_drm {
 	const char *path;
 	struct fake_abilities can;
@@ -183,7 +186,7 @@ int64_t fake_drm_next(void);
 struct fake_drm *fake_drm_at(size_t index);
 int fake_drm_open(const char *path);
 void fake_drm_close(int fd);
-struct fake_object *fake_object(struct fake_drm *drm, struct fake_object *objects, uint32_t id);
+struct fake_object *fake_object(struct fake_object *objects, uint32_t id);
 struct fake_crtc *fake_crtc(struct fake_drm *drm, uint32_t id);
 struct fake_framebuffer *fake_framebuffer(struct fake_drm *drm, uint32_t id);
 struct fake_blob *fake_blob(struct fake_drm *drm, uint32_t id);

@@ -8,8 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { DUMB_ROOM = 1 << 20 };
-
 /* Arrays are copied to those who have asked for their number before. */
 static void put(uint64_t to, uint32_t *room, const void *from, size_t count, size_t size)
 {
@@ -81,7 +79,7 @@ static int get_crtc(struct fake_drm *drm, struct drm_mode_crtc *out)
 	out->fb_id = (uint32_t)plane[FAKE_FB_ID];
 	out->x = (uint32_t)(plane[FAKE_SRC_X] >> 16);
 	out->y = (uint32_t)(plane[FAKE_SRC_Y] >> 16);
-	out->mode_valid = fake_object(drm, drm->objects, out->crtc_id)->values[FAKE_MODE_ID] != 0;
+	out->mode_valid = fake_object(drm->objects, out->crtc_id)->values[FAKE_MODE_ID] != 0;
 	if (out->mode_valid)
 		memcpy(&out->mode, &crtc->mode, sizeof(out->mode));
 	return 0;
@@ -99,7 +97,7 @@ static int get_planes(struct fake_drm *drm, struct drm_mode_get_plane_res *out)
 
 static int get_plane(struct fake_drm *drm, struct drm_mode_get_plane *out)
 {
-	struct fake_object *plane = fake_object(drm, drm->objects, out->plane_id);
+	struct fake_object *plane = fake_object(drm->objects, out->plane_id);
 	size_t count = 0;
 	if (plane == NULL || plane->type != DRM_MODE_OBJECT_PLANE)
 		return ENOENT;
@@ -123,7 +121,7 @@ static bool is_told(const struct fake_drm *drm, int property)
 
 static int get_properties(struct fake_drm *drm, struct drm_mode_obj_get_properties *out)
 {
-	const struct fake_object *object = fake_object(drm, drm->objects, out->obj_id);
+	const struct fake_object *object = fake_object(drm->objects, out->obj_id);
 	uint32_t ids[FAKE_PROPERTIES];
 	uint64_t values[FAKE_PROPERTIES];
 	size_t count = 0;
@@ -194,7 +192,8 @@ static int get_blob(struct fake_drm *drm, struct drm_mode_get_blob *out)
 
 static int create_blob(struct fake_drm *drm, struct drm_mode_create_blob *in)
 {
-	int code = fake_fault(drm, FAKE_CREATE_BLOB);
+	int code = in->length > sizeof(drm->blobs[0].data) ? EINVAL
+							   : fake_fault(drm, FAKE_CREATE_BLOB);
 	if (code != 0)
 		return code;
 	for (size_t i = 0; i < FAKE_BLOBS; i++) {
@@ -226,12 +225,12 @@ static int create_dumb(struct fake_drm *drm, struct drm_mode_create_dumb *in)
 		return code;
 	for (uint32_t i = 0; i < FAKE_BUFFERS; i++) {
 		struct fake_dumb *dumb = &drm->dumbs[i];
-		if (dumb->used || (uint64_t)pitch * in->height > DUMB_ROOM)
+		if (dumb->used || (uint64_t)pitch * in->height > FAKE_DUMB_ROOM)
 			continue;
 		*dumb = (struct fake_dumb){
 			true, true, in->width, in->height, pitch, (uint64_t)pitch * in->height};
 		/* What is not written shows. */
-		memset(drm->pixels + (size_t)i * DUMB_ROOM, 0xa5, dumb->size);
+		memset(drm->pixels + (size_t)i * FAKE_DUMB_ROOM, 0xa5, dumb->size);
 		in->handle = i + 1;
 		in->pitch = pitch;
 		in->size = dumb->size;
@@ -250,7 +249,7 @@ static int map_dumb(struct fake_drm *drm, struct drm_mode_map_dumb *in)
 {
 	if (dumb_of(drm, in->handle) == NULL)
 		return ENOENT;
-	in->offset = (uint64_t)(in->handle - 1) * DUMB_ROOM;
+	in->offset = (uint64_t)(in->handle - 1) * FAKE_DUMB_ROOM;
 	return fake_fault(drm, FAKE_MAP_DUMB);
 }
 
@@ -402,7 +401,7 @@ static int legacy_set_crtc(struct fake_drm *drm, struct drm_mode_crtc *in)
 	drmModeModeInfo before = crtc->mode;
 	memcpy(&crtc->mode, &in->mode, sizeof(in->mode));
 	for (uint32_t i = 0; i < in->count_connectors; i++) {
-		struct fake_object *connector = fake_object(drm, next, connectors[i]);
+		struct fake_object *connector = fake_object(next, connectors[i]);
 		if (connector != NULL)
 			connector->values[FAKE_CRTC_ID] = in->crtc_id;
 	}
@@ -456,7 +455,7 @@ static int page_flip(struct fake_drm *drm, const struct drm_mode_crtc_page_flip 
 
 static int set_plane(struct fake_drm *drm, const struct drm_mode_set_plane *in)
 {
-	struct fake_object *plane = fake_object(drm, drm->objects, in->plane_id);
+	struct fake_object *plane = fake_object(drm->objects, in->plane_id);
 	if (!drm->master)
 		return EACCES;
 	if (plane == NULL)
@@ -470,7 +469,7 @@ static int set_property(struct fake_drm *drm, const struct drm_mode_obj_set_prop
 {
 	struct fake_object next[FAKE_OBJECTS];
 	memcpy(next, drm->objects, sizeof(next));
-	struct fake_object *object = fake_object(drm, next, in->obj_id);
+	struct fake_object *object = fake_object(next, in->obj_id);
 	if (!drm->master)
 		return EACCES;
 	if (object == NULL || in->prop_id != 100 + FAKE_ROTATION || !object->has[FAKE_ROTATION])
