@@ -43,8 +43,8 @@ bool node_init(struct node *node, const char *path, bool debug, struct sm_error 
 	*node = (struct node){.fd = open(path, O_RDWR | O_CLOEXEC)};
 	if (node->fd < 0)
 		return error_set(error,
-			errno == ENOENT || errno == ENOTDIR ? SM_ERROR_INPUT : SM_ERROR_MACHINE,
-			"%s", strerror(errno));
+			errno == EACCES || errno == EPERM ? SM_ERROR_MACHINE : SM_ERROR_INPUT, "%s",
+			strerror(errno));
 	if (!is_drm(node->fd))
 		return error_set(error, SM_ERROR_INPUT, "it is no DRM node");
 	node->gbm = node_create_gbm(node->fd, debug);
