@@ -4,7 +4,7 @@
 import time
 
 import program
-from suite import Guest
+from bench import Guest
 
 
 def vkms_tells_the_pattern(bench):
@@ -74,7 +74,8 @@ def motion(bench):
     clock, total, ticks = 25175000, 800 * 525, 16
     setting = ('--set camera.eye=40,30,40 --set motion.turns=camera '  # from afar: fewer pixels
                f'--set motion.period={ticks * total / clock}')
-    pictures = program.picture(bench, '640x480', f'{setting} --frames {ticks} --fps {clock}/{total}')
+    pictures = program.picture(bench, '640x480',
+                               f'{setting} --frames {ticks} --fps {clock}/{total}')
     of_tick = [program.crc_of(bench, file) for file in pictures]
     assert len(set(of_tick)) == ticks, 'two pictures are equal'
 

@@ -88,7 +88,8 @@ def copy_modules(tree, abi, names, to):
     with open(os.path.join(source, 'modules.dep'), encoding='utf-8') as lines:
         for line in lines:
             module, _, others = line.partition(':')
-            needs[os.path.basename(module).split('.')[0].replace('-', '_')] = [module, *others.split()]
+            name = os.path.basename(module).split('.')[0].replace('-', '_')
+            needs[name] = [module, *others.split()]
     for name in names:
         for path in needs[name.replace('-', '_')]:
             os.makedirs(os.path.dirname(os.path.join(target, path)), exist_ok=True)

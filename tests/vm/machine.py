@@ -66,7 +66,8 @@ class Job:
 
     def wait(self, limit):
         """Waits for the end and returns the status."""
-        self.machine.wait_until(lambda: self.status is not None, limit, f'the end of: {self.command}')
+        self.machine.wait_until(lambda: self.status is not None, limit,
+                                f'the end of: {self.command}')
         return self.status
 
     def says(self, text, limit, times=1):
@@ -77,7 +78,8 @@ class Job:
         self.machine.wait_until(lambda: said() or self.status is not None, limit,
                                 f'"{text}" from: {self.command}')
         if not said():
-            raise AssertionError(f'ended ({self.status}) without "{text}": {self.command}\n{self.err}')
+            raise AssertionError(f'ended ({self.status}) without "{text}": {self.command}\n'
+                                 f'{self.err}')
 
     def kill(self, name='TERM'):
         """Sends a signal to the command and what it started."""
@@ -121,13 +123,13 @@ class Machine:
 
     def share(self, name=''):
         """A file in the folder that the guest has as /run/share."""
-        return os.path.join(self._folder, 'share', name) if name else os.path.join(self._folder, 'share')
+        return os.path.join(self._folder, 'share', name).rstrip('/')
 
     def _command(self, devices, memory, cpu):
         arguments = 'quiet panic=-1 mitigations=off sysrq_always_enabled=1 console=ttyS0 ' \
             'drm_kms_helper.fbdev_emulation=0'
-        command = [QEMU, '-nodefaults', '-no-reboot', '-display', 'none', '-machine', 'q35', '-accel',
-                   'tcg,thread=multi', '-cpu', cpu, '-smp', '2', '-m', str(memory),
+        command = [QEMU, '-nodefaults', '-no-reboot', '-display', 'none', '-machine', 'q35',
+                   '-accel', 'tcg,thread=multi', '-cpu', cpu, '-smp', '2', '-m', str(memory),
                    '-kernel', self.image.kernel, '-initrd', self.image.initramfs,
                    '-append', arguments, '-vga', 'none',
                    '-chardev', f'socket,id=serial,path={self._path("serial")},server=on,wait=off,'
@@ -174,7 +176,7 @@ class Machine:
         return job.wait(limit), job.out
 
     def check(self, command, limit=20):
-        """Runs a shell command that must succeed, and returns its output without the last newline."""
+        """Runs a shell command that must succeed; its output without the last newline."""
         job = self.start(command)
         if job.wait(limit) != 0:
             raise AssertionError(f'status {job.status}: {command}\n{job.err}{job.out}')
@@ -184,7 +186,8 @@ class Machine:
         """Starts a shell command, as another user if told, in the background; returns its Job."""
         name = f'{len(self.jobs) + 1}-{name or "run"}'
         if user is not None:
-            command = f'exec setpriv --reuid={user} --regid={user} --clear-groups sh -c {shlex.quote(command)}'
+            command = (f'exec setpriv --reuid={user} --regid={user} --clear-groups '
+                       f'sh -c {shlex.quote(command)}')
         with open(self.share(f'{name}.sh'), 'w', encoding='utf-8') as script:
             script.write(command + '\n')
         self.jobs[name] = Job(self, name, command)

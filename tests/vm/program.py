@@ -70,7 +70,8 @@ def wait_for_flips(bench, job, count):
 
 def fact(job, name):
     """A line "name: value" of what it printed last."""
-    values = [line.split(': ', 1)[1] for line in job.out.splitlines() if line.startswith(name + ': ')]
+    values = [line.split(': ', 1)[1] for line in job.out.splitlines()
+              if line.startswith(name + ': ')]
     assert values, f'no "{name}" in:\n{job.out}{job.err}'
     return values[-1]
 
@@ -120,7 +121,8 @@ def expect_screen(bench, expected, *arguments, limit=10):
     """Waits until the screen of virtio-gpu shows this picture, changed as arguments tell."""
     end = time.monotonic() + limit
     while True:
-        equal, difference = vm_picture(bench, *arguments, expected, bench.guest.screendump('screen.ppm'))
+        equal, difference = vm_picture(bench, *arguments, expected,
+                                       bench.guest.screendump('screen.ppm'))
         if equal:
             return
         assert time.monotonic() < end, difference

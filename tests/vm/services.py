@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Services that a session on a seat has, in the guest."""
 
-from suite import Skip
+from bench import Skip
 
 NOBODY = 65534
 UDEVD = '/lib/systemd/systemd-udevd'
