@@ -15,11 +15,21 @@ static const int64_t look_waiting = 2 * SECOND;
 static const int64_t look_showing = 5 * SECOND;
 static const int64_t look_never = INT64_MAX;
 
-int64_t display_now(void)
+static int64_t read_clock(clockid_t clock)
 {
 	struct timespec time;
-	clock_gettime(CLOCK_MONOTONIC, &time);
+	clock_gettime(clock, &time);
 	return time.tv_sec * SECOND + time.tv_nsec;
+}
+
+int64_t display_now(void)
+{
+	return read_clock(CLOCK_MONOTONIC);
+}
+
+int64_t display_thread_time(void)
+{
+	return read_clock(CLOCK_THREAD_CPUTIME_ID);
 }
 
 static bool read_options(
@@ -176,7 +186,7 @@ static bool look_if_due(struct display *display, struct sm_error *error)
 	return look(display, probe, false, error);
 }
 
-bool display_update(struct display *display, struct sm_error *error)
+static bool update(struct display *display, struct sm_error *error)
 {
 	if (display->removed)
 		return display_device_removed(display, error);
@@ -189,6 +199,14 @@ bool display_update(struct display *display, struct sm_error *error)
 	if (seat_activations(display->seat) != display->activations)
 		resume(display);
 	return take_back(display, error) && look_if_due(display, error);
+}
+
+bool display_update(struct display *display, struct sm_error *error)
+{
+	int64_t start = display_thread_time();
+	bool updated = update(display, error);
+	display->stats.overhead += (double)(display_thread_time() - start) * 1e-6;
+	return updated;
 }
 
 bool display_wants_frame(const struct display *display, bool changed)

@@ -24,7 +24,7 @@ uint64_t display_clock_flip(struct display_clock *clock, bool waits, int64_t tim
 	int64_t period = display_clock_period(clock);
 	int64_t elapsed = clock->started && time > clock->time ? time - clock->time : 0;
 	uint64_t steps;
-	if (waits && clock->waits) {
+	if (waits) {
 		/* Times of blanks: whole periods apart, but for the clock's own deviation. */
 		steps = (uint64_t)((elapsed + period / 2) / period);
 		clock->time = time;

@@ -4,7 +4,6 @@
 #include "display_state.h"
 #include <errno.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 #include <xf86drm.h>
 
@@ -15,17 +14,12 @@ static const int64_t pause_after_failure = SECOND / 10;
 /* In a row: after these it will not come. */
 enum { FAILURES_MAX = 50 };
 
-static int64_t thread_time(void)
-{
-	struct timespec time;
-	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-	return time.tv_sec * SECOND + time.tv_nsec;
-}
-
 void display_flip_done(struct display *display, bool waited, int64_t time)
 {
+	/* The first blank after something else is not a period away. */
+	bool comparable = waited == display->clock.waits;
 	uint64_t steps = display_clock_flip(&display->clock, waited, time);
-	if (display->flip_follows && !display->flip_sets_mode && steps > 1)
+	if (comparable && display->flip_follows && !display->flip_sets_mode && steps > 1)
 		display->stats.missed += steps - 1;
 	display->stats.flips++;
 	display->flip_pending = false;
@@ -41,12 +35,8 @@ void display_flip_done(struct display *display, bool waited, int64_t time)
 		(unsigned long long)display->drawn_tick);
 }
 
-/* A driver without vertical blanks counts none; flips without vsync do not wait for those there
- * are.
- */
-/* A driver without vertical blanks counts none; flips without vsync do not wait for those there
- * are.
- */
+/* A driver without vertical blanks counts none; without vsync flips do not wait for those there
+ * are. */
 static void on_flip(
 	int fd, unsigned count, unsigned seconds, unsigned microseconds, unsigned crtc, void *data)
 {
@@ -95,8 +85,9 @@ void display_await_flip(struct display *display)
 
 bool display_begin(struct display *display, struct display_target *target, struct sm_error *error)
 {
-	int64_t since = display_now() - display->clock.time;
-	display->flip_follows = since < display_clock_period(&display->clock);
+	/* From the next tick on where nothing waits for blanks, before it where the driver does. */
+	int64_t due = display_clock_next(&display->clock) + display_clock_period(&display->clock);
+	display->flip_follows = display_now() < due;
 	if (!display->target.takes_pixels)
 		egl_wait(&display->egl, display->fence);
 	else if (display->fence >= 0)
@@ -183,10 +174,10 @@ bool display_end(struct display *display, const uint8_t *rgba, struct sm_error *
 	frame.rotation =
 		display->attempts[display->attempt].plane_turns ? display->options.rotation : 0;
 	frame.out_fence = has_fences ? &display->fence : NULL;
-	int64_t start = thread_time();
+	int64_t start = display_thread_time();
 	enum kms_result result = commit(display, &frame);
 	int code = errno;
-	display->stats.overhead += (double)(thread_time() - start) * 1e-6;
+	display->stats.overhead += (double)(display_thread_time() - start) * 1e-6;
 	if (frame.in_fence >= 0)
 		close(frame.in_fence);
 	if (result == KMS_DONE) {

@@ -75,6 +75,8 @@ struct display {
 
 /** ns of the monotonic clock. */
 int64_t display_now(void);
+/** ns of processor time of this thread. */
+int64_t display_thread_time(void);
 
 /** The paths that display devices have, and what to say when there are none. */
 #define DISPLAY_DEVICES "/dev/dri/card*"
