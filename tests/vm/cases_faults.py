@@ -261,10 +261,26 @@ def gpu_removed(bench):
     expect_last_words(job, 'was removed')
 
 
+def console_comes_back(bench):
+    """The kernel's console is back after the end, and after a crash"""
+    bench.guest.check(f'modprobe -d {bench.image.folder} drm_kms_helper; '
+                      'echo Y >/sys/module/drm_kms_helper/parameters/fbdev_emulation')
+    bench.load('virtio-gpu')
+    # Without a cursor, which blinks.
+    bench.guest.check(r"printf '\033[?25l\033[2J\033[Hthis is the console' >/dev/tty1")
+    before = bench.guest.screendump('console.ppm')
+    for name, status in (('TERM', 0), ('KILL', 128 + 9)):
+        job = program.show(bench, 'virtio_gpu')
+        program.expect_screen(bench, *program.picture(bench, '320x240'))
+        assert job.stop(name) == status, job.err
+        program.expect_screen(bench, before)
+
+
 GUESTS = [
     Guest(['virtio-gpu-pci,id=screen,xres=320,yres=240', SOCKET, BOCHS],
           ['vkms', 'virtio-gpu', 'bochs'], [
         another_program, restores, counts_on_request, master_stolen, connector_off, nothing_grows,
         master_stolen_in_motion, full_disk, no_rights, unprivileged, terminals_switched,
         starts_without_monitor, unplugged, mode_changed, gpu_unplugged, gpu_removed]),
+    Guest(['virtio-gpu-pci,id=screen,xres=320,yres=240'], [], [console_comes_back]),
 ]
