@@ -28,10 +28,12 @@ def keep_shaders(bench):
     os.replace(f'{target}.new', target)
 
 
-def command(bench, arguments, programs='/shaders/programs'):
-    """A shell command that becomes the program; programs: its own cache."""
+def command(bench, arguments, programs='/shaders/programs', buffers=''):
+    """A shell command that becomes the program; programs: its own cache; buffers: that kind
+    alone."""
     return ('export MESA_SHADER_CACHE_DIR=/shaders MESA_SHADER_CACHE_MAX_SIZE=32M '
-            f'SMOOTHIE_CACHE_DIR={programs}; exec {bench.build}/src/app/smoothie {arguments}')
+            f'SMOOTHIE_CACHE_DIR={programs} SMOOTHIE_BUFFERS={buffers}; '
+            f'exec {bench.build}/src/app/smoothie {arguments}')
 
 
 def start_show(bench, driver, arguments='', user=None, scene=SCENE, **options):
@@ -143,7 +145,7 @@ def processor_time(bench, job):
 
 
 def size_of(bench, job):
-    """Open descriptors and resident KB of the process."""
+    """Open descriptors and KB of the process's own memory, without the files that it maps."""
     files = bench.guest.check(f'ls /proc/{job.pid}/fd | wc -l')
-    memory = bench.guest.check(f'grep VmRSS /proc/{job.pid}/status')
+    memory = bench.guest.check(f'grep RssAnon /proc/{job.pid}/status')
     return int(files), int(memory.split()[1])
