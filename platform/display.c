@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 /* Where no event tells of a monitor: how often to look for one, and whether the one that shows the
@@ -14,23 +13,6 @@
 static const int64_t look_waiting = 2 * SECOND;
 static const int64_t look_showing = 5 * SECOND;
 static const int64_t look_never = INT64_MAX;
-
-static int64_t read_clock(clockid_t clock)
-{
-	struct timespec time;
-	clock_gettime(clock, &time);
-	return time.tv_sec * SECOND + time.tv_nsec;
-}
-
-int64_t display_now(void)
-{
-	return read_clock(CLOCK_MONOTONIC);
-}
-
-int64_t display_thread_time(void)
-{
-	return read_clock(CLOCK_THREAD_CPUTIME_ID);
-}
 
 static bool read_options(
 	struct display *display, const struct display_options *options, struct sm_error *error)
@@ -140,15 +122,6 @@ static bool read_hotplug(struct display *display, struct sm_error *error)
 	}
 }
 
-/* Without a word yet: a seat manager takes a device away before it says that it takes the seat. */
-void display_lose_master(struct display *display)
-{
-	display->mode_set = false;
-	display->lost_master = true;
-	display->told_loss = false;
-	display->next_take = display_now() + SECOND;
-}
-
 static bool take_back(struct display *display, struct sm_error *error)
 {
 	if (!display->lost_master || display_now() < display->next_take)
@@ -244,11 +217,6 @@ size_t display_poll(
 	}
 	*timeout = time == look_never ? -1 : time > now ? time - now : 0;
 	return count;
-}
-
-uint64_t display_tick(const struct display *display)
-{
-	return display->clock.started ? display->clock.tick + 1 : 0;
 }
 
 void display_get_refresh(const struct display *display, uint32_t *numerator, uint32_t *denominator)

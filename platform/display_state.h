@@ -78,6 +78,9 @@ int64_t display_now(void);
 /** ns of processor time of this thread. */
 int64_t display_thread_time(void);
 
+/** Another program has the device: it will be asked for until it can be had again. */
+void display_lose_master(struct display *display);
+
 /** The paths that display devices have, and what to say when there are none. */
 #define DISPLAY_DEVICES "/dev/dri/card*"
 bool display_no_device(struct sm_error *error);
@@ -99,10 +102,7 @@ bool display_next_attempt(
 /** Lets the output go; off: switches it off. */
 void display_drop_output(struct display *display, bool off);
 
-/** Another program has the device: it will be asked for until it can be had again. */
-void display_lose_master(struct display *display);
-
-/** Handles the events that have arrived. */
+/** Handles the events that have arrived. Fails (MACHINE) when there will be no more. */
 bool display_read_events(struct display *display, struct sm_error *error);
 /** Waits for a frame on its way, a second at most. */
 void display_await_flip(struct display *display);
