@@ -15,6 +15,9 @@ enum { FAILURES_MAX = 50 };
 
 bool display_begin(struct display *display, struct display_target *target, struct sm_error *error)
 {
+	/* Not every driver survives drawing to a device that is gone. */
+	if (display_device_is_gone(display))
+		return display_device_removed(display, error);
 	/* From the next tick on where nothing waits for blanks, before it where the driver does. */
 	int64_t due = display_clock_next(&display->clock) + display_clock_period(&display->clock);
 	display->flip_follows = display_now() < due;
