@@ -70,15 +70,19 @@ struct sm_object_desc *builtin_vase(struct model *model)
 {
 	enum { BANDS = 12, CAPS = 2 };
 	struct solid_point profile[2 * (BANDS + CAPS)];
-	struct solid_point foot = vase_wall(0), lip = vase_wall(1);
+	/* Each once: a compiler's own sine may differ from the library's in the last bit, and the
+	 * parts would not meet. */
+	struct solid_point wall[BANDS + 1];
+	for (int i = 0; i <= BANDS; i++)
+		wall[i] = vase_wall((float)i / BANDS);
 	struct solid_point *point = profile;
 	*point++ = (struct solid_point){0, 0, 0, -1};
-	*point++ = (struct solid_point){foot.radius, 0, 0, -1};
+	*point++ = (struct solid_point){wall[0].radius, 0, 0, -1};
 	for (int i = 0; i < BANDS; i++) {
-		*point++ = vase_wall((float)i / BANDS);
-		*point++ = vase_wall((float)(i + 1) / BANDS);
+		*point++ = wall[i];
+		*point++ = wall[i + 1];
 	}
-	*point++ = (struct solid_point){lip.radius, 1, 0, 1};
+	*point++ = (struct solid_point){wall[BANDS].radius, 1, 0, 1};
 	*point++ = (struct solid_point){0, 1, 0, 1};
 	return solid_lathe(model, profile, 2 * (BANDS + CAPS), 48);
 }
