@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The first program of a guest, in its initramfs: puts a layer that can be written over the
-# host's root, and hands over to the agent in the folder that is shared with the host.
+# host's root, and hands over to the runner in the folder that is shared with the host.
 export PATH=/bin
 mount -t proc proc /proc
 mount -t sysfs sys /sys
@@ -21,4 +21,4 @@ for folder in proc sys dev; do
 	mkdir -p /root/$folder
 	mount --move /$folder /root/$folder
 done
-exec switch_root /root /bin/sh /run/share/agent.sh
+exec switch_root /root /bin/sh /run/share/runner.sh

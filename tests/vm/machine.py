@@ -102,7 +102,7 @@ class Machine:
         self._folder = tempfile.mkdtemp(prefix='smoothie-vm-')
         self._buffer = b''
         os.mkdir(self.share())
-        shutil.copy(os.path.join(HERE, 'agent.sh'), self.share('agent.sh'))
+        shutil.copy(os.path.join(HERE, 'runner.sh'), self.share('runner.sh'))
         self._console_shown = 0
         self._console_log = os.path.join(self._folder, 'console')
         start = time.monotonic()
@@ -110,9 +110,9 @@ class Machine:
                                       stdout=sys.stderr, start_new_session=True,
                                       preexec_fn=die_with_parent)
         try:
-            self._agent, self._console = (self._connect(name) for name in ('agent', 'serial'))
+            self._runner, self._console = (self._connect(name) for name in ('runner', 'serial'))
             self.monitor = qmp.Monitor(self._path('qmp'))
-            self._read_agent(BOOT_LIMIT, 'the guest is up')
+            self._read_runner(BOOT_LIMIT, 'the guest is up')
         except BaseException:
             self.close()
             raise
@@ -136,8 +136,8 @@ class Machine:
                    f'logfile={self._console_log}', '-serial', 'chardev:serial',
                    '-qmp', f'unix:{self._path("qmp")},server=on,wait=off',
                    '-device', 'virtio-serial-pci',
-                   '-chardev', f'socket,id=agent,path={self._path("agent")},server=on,wait=off',
-                   '-device', 'virtserialport,chardev=agent']
+                   '-chardev', f'socket,id=runner,path={self._path("runner")},server=on,wait=off',
+                   '-device', 'virtserialport,chardev=runner']
         for tag, path, options in (('root', '/', ',readonly=on'), ('share', self.share(), '')):
             command += ['-virtfs', f'local,path={path},mount_tag={tag},security_model=none,'
                         f'multidevs=remap{options}']
@@ -191,13 +191,13 @@ class Machine:
         with open(self.share(f'{name}.sh'), 'w', encoding='utf-8') as script:
             script.write(command + '\n')
         self.jobs[name] = Job(self, name, command)
-        self._agent.sendall(f'{name}\n'.encode())
+        self._runner.sendall(f'{name}\n'.encode())
         return self.jobs[name]
 
     def _receive(self):
-        """Takes what the agent says: "ready", or the name and status of a job."""
+        """Takes what the runner says: "ready", or the name and status of a job."""
         try:
-            data = self._agent.recv(4096)
+            data = self._runner.recv(4096)
         except socket.timeout:
             return False
         if not data:
@@ -209,7 +209,7 @@ class Machine:
                 self.jobs[name].status = int(status)
         return bool(lines)
 
-    def _read_agent(self, limit, what):
+    def _read_runner(self, limit, what):
         end = time.monotonic() + limit
         while not self._receive():
             if time.monotonic() > end:
