@@ -158,6 +158,9 @@ bool display_find_device(struct display *display, bool first, struct sm_error *e
 	case TRIAL_IN_USE:
 		return !first;
 	default:
+		/* What was good at first the user need not answer for. */
+		if (!first && error != NULL)
+			error->status = SM_ERROR_MACHINE;
 		return false;
 	}
 }
