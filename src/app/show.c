@@ -304,6 +304,7 @@ static bool run_display(struct show *show, struct sm_error *error)
 {
 	bool changes = stage_moves(&show->stage) || show->options->frames > 0;
 	service_ready();
+	show->was_on = !display_is_on(show->display); /* so that either is told of */
 	while (!show->ended) {
 		if (!display_update(show->display, error))
 			return false;
