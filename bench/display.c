@@ -3,6 +3,7 @@
  * dumb buffer. The fake device's own work, which is counted along, stands for the kernel's. Fails
  * where a frame takes more than 0.3 ms of processor time, or allocates. */
 #include "display.h"
+#include "allocations.h"
 #include "fake_drm.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,41 +11,6 @@
 
 enum { FRAMES = 20000, WARM_UP = 100 };
 static const double limit = 0.3; /* ms */
-
-static unsigned long allocations;
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *memory, size_t size);
-char *__real_strdup(const char *text);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *memory, size_t size);
-char *__wrap_strdup(const char *text);
-
-void *__wrap_malloc(size_t size)
-{
-	allocations++;
-	return __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-	allocations++;
-	return __real_calloc(count, size);
-}
-
-void *__wrap_realloc(void *memory, size_t size)
-{
-	allocations++;
-	return __real_realloc(memory, size);
-}
-
-char *__wrap_strdup(const char *text)
-{
-	allocations++;
-	return __real_strdup(text);
-}
 
 static const struct {
 	const char *name;

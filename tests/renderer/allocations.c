@@ -3,6 +3,7 @@
  * A frame like the last one allocates nothing. Linked with --wrap, so that what this program and
  * the library call is counted, and what the driver calls is not.
  */
+#include "allocations.h"
 #include "canvas.h"
 #include "parts.h"
 #include "rig.h"
@@ -18,44 +19,10 @@
 /* Enough that sorting them by qsort() would allocate. */
 #define OBJECTS 100
 
-static unsigned int allocations;
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *memory, size_t size);
-char *__real_strdup(const char *text);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *memory, size_t size);
-char *__wrap_strdup(const char *text);
 void __real_qsort(
 	void *base, size_t count, size_t size, int (*compare)(const void *, const void *));
 void __wrap_qsort(
 	void *base, size_t count, size_t size, int (*compare)(const void *, const void *));
-
-void *__wrap_malloc(size_t size)
-{
-	allocations++;
-	return __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-	allocations++;
-	return __real_calloc(count, size);
-}
-
-void *__wrap_realloc(void *memory, size_t size)
-{
-	allocations++;
-	return __real_realloc(memory, size);
-}
-
-char *__wrap_strdup(const char *text)
-{
-	allocations++;
-	return __real_strdup(text);
-}
 
 /* glibc's before 2.37 allocates above 1024 bytes. */
 void __wrap_qsort(void *base, size_t count, size_t size, int (*compare)(const void *, const void *))

@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SUPPORT_ALLOCATIONS_H
+#define SUPPORT_ALLOCATIONS_H
+
+/** Calls of malloc(), calloc(), realloc() and strdup() so far, by what is linked with --wrap of
+ *  these: the project's own objects, not the libraries that it uses. */
+extern unsigned long allocations;
+
+#endif
