@@ -255,7 +255,7 @@ void display_describe(const struct display *display, sm_fact fact, void *data)
 	fact(data, "format", display->output.format->name);
 	fact(data, "mode-setting", display->kms->name);
 	if (display->swapchain != NULL)
-		fact(data, "buffers", display->swapchain->interface->name);
+		fact(data, "buffers", display_buffers(display));
 	snprintf(text, sizeof(text), "%u by the %s", display->options.rotation,
 		display->target.rotation != 0 ? "GPU" : "plane");
 	fact(data, "rotation", display->options.rotation == 0 ? "0" : text);

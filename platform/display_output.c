@@ -6,11 +6,15 @@
 #include <string.h>
 #include <xf86drmMode.h>
 
-static const char *const buffer_names[] = {
-	[BUFFERS_GBM_MODIFIERS] = "GBM with modifiers",
-	[BUFFERS_GBM] = "GBM",
-	[BUFFERS_DUMB] = "dumb",
-};
+const char *display_buffers(const struct display *display)
+{
+	static const char *const names[] = {
+		[BUFFERS_GBM_MODIFIERS] = "GBM with modifiers",
+		[BUFFERS_GBM] = "GBM",
+		[BUFFERS_DUMB] = "dumb",
+	};
+	return names[display->attempts[display->attempt].buffers];
+}
 
 /* Whether buffers may be of that kind: $SMOOTHIE_BUFFERS, for debugging, allows gbm or dumb alone.
  */
@@ -109,12 +113,12 @@ static bool start_attempt(
 		if (display->swapchain != NULL) {
 			log_debug("%s: %ux%u %s, %s buffers%s", display->output.name,
 				display->target.width, display->target.height,
-				display->output.format->name, buffer_names[attempt->buffers],
+				display->output.format->name, display_buffers(display),
 				attempt->plane_turns ? ", turned by the plane" : "");
 			return true;
 		}
-		log_debug("%s: no %s buffers (%s)", display->output.name,
-			buffer_names[attempt->buffers], last.text);
+		log_debug("%s: no %s buffers (%s)", display->output.name, display_buffers(display),
+			last.text);
 	}
 	return error_set(error, SM_ERROR_MACHINE, "%s cannot show %ux%u in %s: %.300s",
 		display->output.name, display->output.mode.hdisplay, display->output.mode.vdisplay,

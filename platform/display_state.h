@@ -99,6 +99,8 @@ bool display_find_output(struct display *display, bool probe, struct sm_error *e
 /** Goes on with the next way to show pictures, after `why`. Fails when none is left. */
 bool display_next_attempt(
 	struct display *display, const struct sm_error *why, struct sm_error *error);
+/** The kind of buffers of the current way. */
+const char *display_buffers(const struct display *display);
 /** Lets the output go; off: switches it off. */
 void display_drop_output(struct display *display, bool off);
 

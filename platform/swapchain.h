@@ -18,7 +18,6 @@ struct swapchain {
 };
 
 struct swapchain_interface {
-	const char *name;
 	bool takes_pixels; /* swapchain_end() is given the picture: there is no framebuffer 0 */
 	bool (*begin)(struct swapchain *swapchain, struct sm_error *error);
 	bool (*end)(struct swapchain *swapchain, const uint8_t *rgba, struct kms_frame *frame,

@@ -174,7 +174,6 @@ static void release(struct swapchain *base, uint32_t framebuffer)
 }
 
 static const struct swapchain_interface dumb_interface = {
-	.name = "dumb buffers",
 	.takes_pixels = true,
 	.begin = begin,
 	.end = end,

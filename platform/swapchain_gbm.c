@@ -137,15 +137,6 @@ static void release(struct swapchain *base, uint32_t framebuffer)
 }
 
 static const struct swapchain_interface gbm_interface = {
-	.name = "GBM",
-	.begin = begin,
-	.end = end,
-	.release = release,
-	.destroy = destroy,
-};
-
-static const struct swapchain_interface gbm_modifiers_interface = {
-	.name = "GBM with modifiers",
 	.begin = begin,
 	.end = end,
 	.release = release,
@@ -171,9 +162,7 @@ struct swapchain *swapchain_create_gbm(const struct kms_device *device, struct g
 		error_no_memory(error);
 		return NULL;
 	}
-	swapchain->base =
-		(struct swapchain){modifier_count > 0 ? &gbm_modifiers_interface : &gbm_interface,
-			device, format, width, height};
+	swapchain->base = (struct swapchain){&gbm_interface, device, format, width, height};
 	swapchain->egl = egl;
 	swapchain->egl_surface = EGL_NO_SURFACE;
 	swapchain->surface = create_surface(gbm, &swapchain->base, modifiers, modifier_count);

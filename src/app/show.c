@@ -173,13 +173,6 @@ static bool catch_signals(struct show *show, struct sm_error *error)
 	       error_set(error, SM_ERROR_MACHINE, "cannot wait for signals (%s)", strerror(errno));
 }
 
-static double processor_time(void)
-{
-	struct timespec time;
-	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-	return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
-}
-
 static void print_programs(const struct show *show, struct facts *facts)
 {
 	struct sm_frame_stats stats = {0};
@@ -203,7 +196,7 @@ static void print_stats(const struct show *show)
 	facts_format(&facts, "flips", "%" PRIu64, stats.flips);
 	facts_format(&facts, "missed vblanks", "%" PRIu64, stats.missed);
 	facts_format(&facts, "outside GL", "%.3f ms a frame", stats.overhead / flips);
-	facts_format(&facts, "processor time", "%.1f ms", processor_time());
+	facts_format(&facts, "processor time", "%.1f ms", stopwatch_processor_time());
 	print_programs(show, &facts);
 	facts_end(&facts);
 }
@@ -338,8 +331,9 @@ static void finish(struct show *show)
 static bool show_scene(const struct show_options *options, struct sm_error *error)
 {
 	/* Before main() runs the dynamic linker, which computes. */
-	struct show show = {
-		.options = options, .signals = -1, .start = stopwatch_now() - processor_time()};
+	struct show show = {.options = options,
+		.signals = -1,
+		.start = stopwatch_now() - stopwatch_processor_time()};
 	bool shown = scene_options_load(&options->scene, &show.stage, error) &&
 		     catch_signals(&show, error);
 	if (shown) {

@@ -16,6 +16,11 @@ double stopwatch_now(void)
 	return read_clock(CLOCK_MONOTONIC);
 }
 
+double stopwatch_processor_time(void)
+{
+	return read_clock(CLOCK_PROCESS_CPUTIME_ID);
+}
+
 /* Before main() runs the dynamic linker, which computes: its processor time is its duration, and
  * finer than the 10 ms of the start time in /proc. */
 void stopwatch_start(struct stopwatch *stopwatch)
@@ -23,7 +28,7 @@ void stopwatch_start(struct stopwatch *stopwatch)
 	*stopwatch = (struct stopwatch){
 		.last = stopwatch_now(),
 		.count = 1,
-		.laps = {{"process start", read_clock(CLOCK_PROCESS_CPUTIME_ID)}},
+		.laps = {{"process start", stopwatch_processor_time()}},
 	};
 }
 

@@ -17,6 +17,9 @@ struct stopwatch {
 /** Milliseconds of the monotonic clock. */
 double stopwatch_now(void);
 
+/** Milliseconds of processor time of the process so far. */
+double stopwatch_processor_time(void);
+
 /** Starts with one lap, "process start": the processor time up to here. */
 void stopwatch_start(struct stopwatch *stopwatch);
 
