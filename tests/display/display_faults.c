@@ -185,6 +185,42 @@ static void a_device_that_is_removed_ends_it(void **state)
 	}
 }
 
+/* Drivers may crash when they draw to it. */
+static void nothing_is_drawn_for_a_device_that_is_gone(void **state)
+{
+	(void)state;
+	struct viewer viewer;
+	struct display_target target;
+	struct sm_error error = {0};
+	fake_world_reset();
+	struct fake_drm *drm = fake_drm_init(0, &(struct fake_abilities){0});
+	viewer_start(&viewer, NULL);
+	viewer_run(&viewer, SECOND);
+	drm->gone = true;
+	assert_true(display_wants_frame(viewer.display, true));
+	assert_false(display_begin(viewer.display, &target, &error));
+	assert_string_equal(error.text, REMOVED);
+	assert_int_equal(error.status, SM_ERROR_MACHINE);
+	viewer_finish(&viewer);
+}
+
+/* It was there at the start: that it is not any more is no mistake of the user's. */
+static void a_device_may_go_while_its_monitor_is_waited_for(void **state)
+{
+	(void)state;
+	struct viewer viewer;
+	fake_world_reset();
+	struct fake_drm *drm = fake_drm_init(0, &(struct fake_abilities){0});
+	drm->connectors[0].plugged = false;
+	viewer_start(&viewer, &(struct display_options){.device = "/dev/dri/card0"});
+	viewer_run(&viewer, SECOND);
+	drm->gone = true;
+	viewer_run(&viewer, 5 * SECOND);
+	viewer_assert_ended(&viewer, "device /dev/dri/card0: No such file or directory");
+	assert_int_equal(viewer.error.status, SM_ERROR_MACHINE);
+	viewer_finish(&viewer);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -193,6 +229,8 @@ int main(void)
 		viewer_test(what_a_lost_frame_changed_is_part_of_the_next_damage),
 		viewer_test(an_event_that_never_comes_does_not_stop_the_picture),
 		viewer_test(a_device_that_is_removed_ends_it),
+		viewer_test(nothing_is_drawn_for_a_device_that_is_gone),
+		viewer_test(a_device_may_go_while_its_monitor_is_waited_for),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
