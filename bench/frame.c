@@ -14,10 +14,10 @@
 #include <time.h>
 
 /* What is timed, one after the other, in each round. */
-enum contender { FRAME_HARD, FRAME_SMOOTHIE, LIGHT_DEPTH, VIEW_DEPTH, FULL_SCREEN, CONTENDERS };
+enum contender { FRAME_PCF, FRAME_SMOOTHIE, LIGHT_DEPTH, VIEW_DEPTH, FULL_SCREEN, CONTENDERS };
 
 static const char *const contender_names[CONTENDERS] = {
-	"frame with hard",
+	"frame with pcf",
 	"frame with smoothie",
 	"bare depth pass, light",
 	"bare depth pass, camera",
@@ -32,7 +32,7 @@ struct options {
 /* A scene, and all that draws it. */
 struct bench {
 	struct stage stage;
-	struct sm_renderer *renderers[2]; /* FRAME_HARD, FRAME_SMOOTHIE */
+	struct sm_renderer *renderers[2]; /* FRAME_PCF, FRAME_SMOOTHIE */
 	struct depth_map depths[2];       /* made by renderer 0: light's size, and picture's */
 	struct light_frame light, view;   /* the camera as if it were a light */
 	GLuint framebuffer, buffers[2];
@@ -173,7 +173,7 @@ static bool bench_init(struct bench *bench, const char *source, const struct opt
 		return false;
 	if (sm_scene_light_count(bench->stage.scene) == 0)
 		return error_set(error, SM_ERROR_INPUT, "%s has no light", source);
-	static const char *const techniques[2] = {"hard", "smoothie"};
+	static const char *const techniques[2] = {"pcf", "smoothie"};
 	for (int i = 0; i < 2; i++) {
 		struct sm_shadow_options shadow = {
 			.technique = techniques[i], .map_size = options->map};
@@ -186,9 +186,10 @@ static bool bench_init(struct bench *bench, const char *source, const struct opt
 	light_frame_init(&bench->light, &bench->stage.scene->lights[0].desc, bench->stage.scene);
 	if (!camera_world_to_clip(&bench->stage.camera, bench->stage.scene, bench->size,
 		    bench->size, bench->view.world_to_clip, error) ||
-		!depth_map_init(
-			&bench->depths[0], &bench->renderers[0]->gpu, options->map, error) ||
-		!depth_map_init(&bench->depths[1], &bench->renderers[0]->gpu, bench->size, error))
+		!depth_map_init(&bench->depths[0], &bench->renderers[0]->gpu, options->map,
+			DEPTH_MAP_LINEAR, error) ||
+		!depth_map_init(&bench->depths[1], &bench->renderers[0]->gpu, bench->size,
+			DEPTH_MAP_LINEAR, error))
 		return false;
 	for (int i = 0; i < CONTENDERS; i++) {
 		bench->times[i] = array_zalloc(options->rounds, sizeof(double));
@@ -253,10 +254,10 @@ static void report(const char *source, struct bench *bench, const struct options
 	}
 	double limit = ms[LIGHT_DEPTH] + ms[VIEW_DEPTH] + ms[FULL_SCREEN];
 	printf("  %-24s %8.2f ms\n", "silhouettes and fins", stats.silhouette_ms);
-	printf("  smoothie / hard: %.2f\n", ms[FRAME_SMOOTHIE] / ms[FRAME_HARD]);
-	printf("  hard / (both depth passes + full-screen pass): %.2f\n", ms[FRAME_HARD] / limit);
-	printf("  hard / (light's depth pass + full-screen pass): %.2f\n",
-		ms[FRAME_HARD] / (ms[LIGHT_DEPTH] + ms[FULL_SCREEN]));
+	printf("  smoothie / pcf: %.2f\n", ms[FRAME_SMOOTHIE] / ms[FRAME_PCF]);
+	printf("  pcf / (both depth passes + full-screen pass): %.2f\n", ms[FRAME_PCF] / limit);
+	printf("  pcf / (light's depth pass + full-screen pass): %.2f\n",
+		ms[FRAME_PCF] / (ms[LIGHT_DEPTH] + ms[FULL_SCREEN]));
 	fflush(stdout);
 }
 
@@ -276,7 +277,7 @@ static bool run(const char *source, const struct options *options, struct sm_err
 static void usage(FILE *file)
 {
 	fputs("usage: bench-frame [-s PIXELS] [-m TEXELS] [-n ROUNDS] [SCENE...]\n"
-	      "Times frames with smoothies, with hard shadows, and the passes they cannot do "
+	      "Times frames with smoothies, with a filtered map, and the passes they cannot do "
 	      "without.\n"
 	      "  -s  pixels a side of the picture (1024)\n"
 	      "  -m  texels a side of the shadow map (1024)\n"

@@ -211,8 +211,10 @@ struct sm_shadow_options {
 	float width;           /**< smoothie: t of the paper, the fins' width as a share of the
 				    light's screen, (0, 1]; default: from the light's radius */
 	enum sm_falloff falloff; /**< smoothie: default linear */
-	uint32_t passes;         /**< smoothie: 2 fills the smoothie buffer in two passes, nearest
-				      depth and then minimum alpha, as the paper does; default 1 */
+	uint32_t samples; /**< one of sm_technique_samples(): how many look-ups or shadow maps
+			       a pixel takes; default the first of them */
+	uint32_t passes;  /**< smoothie: 2 fills the smoothie buffer in two passes, nearest
+			       depth and then minimum alpha, as the paper does; default 1 */
 };
 
 SM_API bool sm_renderer_set_shadows(struct sm_renderer *renderer,
@@ -221,6 +223,9 @@ SM_API bool sm_renderer_set_shadows(struct sm_renderer *renderer,
 /** The technique's name and one line about it, or NULL when index is past the last one. */
 SM_API const char *sm_technique_name(size_t index);
 SM_API const char *sm_technique_summary(size_t index);
+/** What sm_shadow_options.samples may be with the technique, the default first; 0 past the last
+ *  choice, or when index is past the last technique. */
+SM_API uint32_t sm_technique_samples(size_t index, size_t choice);
 
 struct sm_camera {
 	float eye[3];
@@ -283,6 +288,30 @@ struct sm_frame_stats {
 };
 
 SM_API void sm_renderer_get_stats(const struct sm_renderer *renderer, struct sm_frame_stats *stats);
+
+/** Is told where passes begin and end, in their order, during sm_renderer_draw(): "shadow map",
+ *  "silhouettes" or "surfaces", say. A pass ends with the framebuffer still bound that it drew to.
+ *  The functions may wait for GL and read from that framebuffer; they must not change GL's state.
+ */
+struct sm_pass_observer {
+	void *data; /**< the caller's, handed to both functions */
+	void (*begin)(void *data, const char *pass);
+	void (*end)(void *data, const char *pass);
+};
+
+/** *observer is copied; NULL, the default, for none. */
+SM_API void sm_renderer_set_pass_observer(
+	struct sm_renderer *renderer, const struct sm_pass_observer *observer);
+
+/** Bytes that shadows take, now. */
+struct sm_memory {
+	uint64_t geometry; /**< of the processor's: casters as silhouettes are searched in them,
+				and what is made of them each frame */
+	uint64_t targets;  /**< of the GL's: what the renderer draws into, on the way */
+};
+
+SM_API void sm_renderer_get_memory(
+	const struct sm_renderer *renderer, const struct sm_scene *scene, struct sm_memory *memory);
 
 /** Facts about driver and chosen paths as key and value, in a fixed order. */
 typedef void (*sm_fact)(void *data, const char *key, const char *value);

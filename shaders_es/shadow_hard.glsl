@@ -1,4 +1,5 @@
-// An ordinary shadow map, compared by the sampler at the four nearest texels.
+// An ordinary shadow map, compared by the sampler: at the nearest texel, or blended
+// from the four nearest.
 float shadow_visibility(vec3 p)
 {
 	vec3 s = on_screen(p);

@@ -1,6 +1,7 @@
 // Where a receiver lies on the light's screen, and how its own plane slopes there.
 uniform sampler2DShadow depth_compare;
 uniform vec2 map_size;      // texels, and the size of one
+uniform float lookup_reach; // how far from a surface its texels' centres lie, window x or y
 uniform vec2 bias_limit;    // at window depth d: x + y d
 uniform vec3 screen_w;      // w of light space: x z + y, at least z
 uniform float screen_scale; // window x, y = scale x, y / w + 1/2
@@ -8,9 +9,6 @@ uniform vec3 screen_depth;  // window depth = x + y / w + z z
 
 // Eight steps of a 24-bit depth map: rounding of both depths, and of their interpolation.
 const float DEPTH_STEP = 8.0 / 16777216.0;
-// The four nearest texels lie up to one texel off; a twentieth more for vertices that the
-// rasteriser snapped to its grid.
-const float REACH = 1.05;
 
 // Window coordinates on the light's screen. Beside it they lead to the map's border texels, which
 // hold no caster; long before the near plane, and behind a spot, w stays at its least, where depth
@@ -22,18 +20,23 @@ vec3 on_screen(vec3 p)
 	return vec3(p.xy * (screen_scale * inverse) + 0.5, depth);
 }
 
-// The depth to compare at the four texels nearest to s: in front of all that the receiver's own
+// The depth to compare at texels up to `reach` (window x or y) from s: in front of all that the receiver's own
 // plane, through this pixel and its neighbours, may have left there (receiver plane depth bias,
-// Isidoro 2006). One depth for the four: following the plane from texel to texel would be nearer
+// Isidoro 2006). One depth for all of them: following the plane from texel to texel would be nearer
 // to a flat receiver, but takes the next facet of a curved one for a blocker.
-float receiver_depth(vec3 s)
+float receiver_depth(vec3 s, float reach)
 {
 	vec3 dx = dFdx(s);
 	vec3 dy = dFdy(s);
 	float area = abs(dx.x * dy.y - dx.y * dy.x);
 	vec2 slope = abs(vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z));
-	float rise = (slope.x + slope.y) * (map_size.y * REACH);
+	float rise = (slope.x + slope.y) * reach;
 	// A plane that the light sees edge on has no area there: the limit is what counts.
 	float bias = min(rise / max(area, 1e-30), bias_limit.x + bias_limit.y * s.z);
 	return clamp(s.z - DEPTH_STEP - bias, 0.0, 1.0);
+}
+
+float receiver_depth(vec3 s)
+{
+	return receiver_depth(s, lookup_reach);
 }

@@ -1,5 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "accumulator.h"
+#include "gles/target.h"
+
+/* Colour and depth. */
+static uint64_t bytes_of(uint32_t width, uint32_t height)
+{
+	return texture_bytes(GL_SRGB8_ALPHA8, (GLsizei)width, (GLsizei)height, 1) +
+	       texture_bytes(GL_DEPTH_COMPONENT24, (GLsizei)width, (GLsizei)height, 1);
+}
 
 static GLuint make_texture(struct gl *gl, GLenum format, uint32_t width, uint32_t height)
 {
@@ -33,6 +41,7 @@ static bool make(struct accumulator *accumulator, struct gl *gl, uint32_t width,
 		return error_set(error, SM_ERROR_MACHINE,
 			"no framebuffer of %ux%u pixels for several lights: %s", width, height,
 			problem);
+	gl->target_bytes += bytes_of(width, height);
 	accumulator->width = width;
 	accumulator->height = height;
 	return true;
@@ -52,6 +61,7 @@ void accumulator_finish(struct accumulator *accumulator, struct gl *gl)
 	gl_delete_framebuffer(gl, &accumulator->framebuffer);
 	gl_delete_texture(gl, &accumulator->color);
 	gl_delete_texture(gl, &accumulator->depth);
+	gl->target_bytes -= bytes_of(accumulator->width, accumulator->height);
 	accumulator->width = accumulator->height = 0;
 }
 

@@ -36,11 +36,12 @@ static void mark_box(
 }
 
 static void mark_casters(struct screen_grid *cells, const struct gpu_scene *gpu,
-	const struct sm_scene *scene, const struct light_frame *frame, uint32_t map_size)
+	const struct sm_scene *scene, const struct light_frame *frame, float reach,
+	uint32_t map_size)
 {
-	/* A surface looks up texels whose centres lie up to one texel off; half a texel more for
-	 * what the rasteriser snaps. */
-	float slack = 1.5f * SCREEN_GRID_SIZE / (float)map_size;
+	/* A surface looks up texels whose centres lie up to one texel off, and the technique's
+	 * reach; half a texel more for what the rasteriser snaps. NDC are 2 wide. */
+	float slack = (1.5f / (float)map_size + reach / 2.0f) * SCREEN_GRID_SIZE;
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
 		const struct gpu_mesh *mesh = &gpu->meshes[object->mesh];
@@ -54,10 +55,11 @@ static void mark_casters(struct screen_grid *cells, const struct gpu_scene *gpu,
 }
 
 void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct screen_grid *soft, uint32_t map_size)
+	const struct light_frame *frame, const struct screen_grid *soft, float reach,
+	uint32_t map_size)
 {
 	*map = (struct need_map){.cone = !frame->parallel};
-	mark_casters(&map->cells[NEED_MAP], gpu, scene, frame, map_size);
+	mark_casters(&map->cells[NEED_MAP], gpu, scene, frame, reach, map_size);
 	map->cells[NEED_TECHNIQUE] = soft != NULL ? *soft : map->cells[NEED_MAP];
 }
 

@@ -62,6 +62,12 @@ const char *sm_technique_summary(size_t index)
 	return technique != NULL ? technique->summary : NULL;
 }
 
+uint32_t sm_technique_samples(size_t index, size_t choice)
+{
+	const struct technique *technique = technique_at(index);
+	return technique != NULL && choice < SAMPLE_CHOICES_MAX ? technique->samples[choice] : 0;
+}
+
 static bool check_drawn(struct gl *gl, bool drawn, struct sm_error *error)
 {
 	const char *problem = gl_take_error(gl);
@@ -94,13 +100,34 @@ void sm_renderer_get_stats(const struct sm_renderer *renderer, struct sm_frame_s
 	stats->programs_loaded = renderer->gpu.programs.loaded;
 }
 
+void sm_renderer_set_pass_observer(
+	struct sm_renderer *renderer, const struct sm_pass_observer *observer)
+{
+	static const struct sm_pass_observer none;
+	renderer->gpu.gl.observer = observer != NULL ? *observer : none;
+}
+
+void sm_renderer_get_memory(
+	const struct sm_renderer *renderer, const struct sm_scene *scene, struct sm_memory *memory)
+{
+	*memory = (struct sm_memory){.targets = renderer->gpu.gl.target_bytes};
+	for (size_t i = 0; i < scene->mesh_count; i++)
+		memory->geometry += caster_bytes(&scene->meshes[i].caster);
+	memory->geometry += shadow_set_geometry_bytes(&renderer->shadows);
+}
+
 void sm_renderer_describe(const struct sm_renderer *renderer, sm_fact fact, void *data)
 {
 	caps_describe(&renderer->gpu.caps, fact, data);
 	for (size_t i = 0; technique_at(i) != NULL; i++) {
-		char key[64];
+		char key[64], value[200];
+		size_t used =
+			(size_t)snprintf(value, sizeof(value), "%s", technique_at(i)->summary);
+		for (size_t j = 0; sm_technique_samples(i, j) > 0; j++)
+			used += (size_t)snprintf(value + used, sizeof(value) - used, "%s%u",
+				j == 0 ? "; samples: " : ", ", sm_technique_samples(i, j));
 		snprintf(key, sizeof(key), "technique %s", technique_at(i)->name);
-		fact(data, key, technique_at(i)->summary);
+		fact(data, key, value);
 	}
 }
 

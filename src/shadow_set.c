@@ -27,6 +27,32 @@ static bool check_used(const struct sm_shadow_options *options, const struct tec
 	return true;
 }
 
+/* Also sets the default. */
+static bool check_samples(struct sm_shadow_options *options, const struct technique *technique,
+	struct sm_error *error)
+{
+	const uint32_t *choices = technique->samples;
+	char text[100] = "";
+	size_t used = 0;
+	if (options->samples == 0)
+		options->samples = choices[0];
+	if (options->samples == choices[0])
+		return true;
+	if (choices[0] == 0)
+		return error_set(error, SM_ERROR_INPUT,
+			"shadow samples does nothing with the technique \"%s\"; leave it out",
+			technique->name);
+	for (; *choices != 0; choices++) {
+		if (options->samples == *choices)
+			return true;
+		used += (size_t)snprintf(
+			text + used, sizeof(text) - used, "%s%u", used > 0 ? ", " : "", *choices);
+	}
+	return error_set(error, SM_ERROR_INPUT,
+		"%u shadow samples; with the technique \"%s\" there are: %s", options->samples,
+		technique->name, text);
+}
+
 static bool check_range(
 	const struct sm_shadow_options *options, const struct caps *caps, struct sm_error *error)
 {
@@ -66,6 +92,7 @@ bool shadow_set_init(struct shadow_set *set, const struct sm_shadow_options *opt
 	*set = (struct shadow_set){.options = *options};
 	set->technique = find_technique(options->technique, error);
 	if (set->technique == NULL || !check_used(options, set->technique, error) ||
+		!check_samples(&set->options, set->technique, error) ||
 		!check_range(options, caps, error))
 		return false;
 	set->options.technique = NULL;
@@ -90,6 +117,14 @@ void shadow_set_finish(struct shadow_set *set, struct gpu *gpu)
 		state_destroy(set, gpu, set->states[i]);
 	free(set->states);
 	*set = (struct shadow_set){0};
+}
+
+size_t shadow_set_geometry_bytes(const struct shadow_set *set)
+{
+	size_t bytes = 0;
+	for (size_t i = 0; i < set->count && set->technique->geometry_bytes != NULL; i++)
+		bytes += set->technique->geometry_bytes(set->states[i]);
+	return bytes;
 }
 
 static bool add_state(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)

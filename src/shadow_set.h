@@ -18,6 +18,9 @@ bool shadow_set_init(struct shadow_set *set, const struct sm_shadow_options *opt
 	const struct caps *caps, struct sm_error *error);
 void shadow_set_finish(struct shadow_set *set, struct gpu *gpu);
 
+/** Of the processor's memory, what the lights' states hold of geometry. */
+size_t shadow_set_geometry_bytes(const struct shadow_set *set);
+
 /** Draws what light number `index` sees, and returns its state, owned by the set; NULL on
  *  failure. */
 void *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu, const struct sm_scene *scene,

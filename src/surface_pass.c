@@ -304,6 +304,8 @@ static void map_needs(struct surface_pass *pass)
 	if (pass->light != NULL)
 		need_map_find(&pass->need_map, &renderer->gpu.scene, pass->scene, pass->frame,
 			technique->soft_grid != NULL ? technique->soft_grid(pass->shadow) : NULL,
+			technique->reach != NULL ? technique->reach(pass->shadow, pass->frame)
+						 : 0.0f,
 			renderer->shadows.options.map_size);
 }
 
@@ -314,7 +316,7 @@ bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)
 	bool drawn = true;
 	map_needs(pass);
 	pass->program = NULL;
-	gl_push_group(gl, __func__);
+	gl_push_group(gl, "surfaces");
 	for (size_t i = 0; i < order->count && drawn; i++)
 		drawn = draw_object(pass, order->items[i].object, error);
 	gl_pop_group(gl);

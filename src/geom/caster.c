@@ -59,3 +59,10 @@ void caster_finish(struct caster *caster)
 	face_planes_finish(&caster->planes);
 	*caster = (struct caster){0};
 }
+
+size_t caster_bytes(const struct caster *caster)
+{
+	return caster->vertex_count * sizeof(*caster->positions) +
+	       3 * caster->triangle_count * sizeof(*caster->indices) +
+	       edge_table_bytes(&caster->edges) + face_planes_bytes(&caster->planes);
+}

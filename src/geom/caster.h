@@ -25,4 +25,7 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 	const uint32_t *indices, size_t triangle_count);
 void caster_finish(struct caster *caster);
 
+/** Of memory, in all. */
+size_t caster_bytes(const struct caster *caster);
+
 #endif

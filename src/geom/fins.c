@@ -327,6 +327,12 @@ void fin_scratch_finish(struct fin_scratch *scratch)
 	fin_scratch_init(scratch);
 }
 
+size_t fin_scratch_bytes(const struct fin_scratch *scratch)
+{
+	return scratch->edge_capacity * sizeof(*scratch->edges) +
+	       scratch->vertex_capacity * sizeof(*scratch->first);
+}
+
 bool fin_scratch_reserve(
 	struct fin_scratch *scratch, const struct caster *caster, size_t edge_count)
 {

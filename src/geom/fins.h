@@ -40,6 +40,7 @@ struct fin_scratch {
 
 void fin_scratch_init(struct fin_scratch *scratch);
 void fin_scratch_finish(struct fin_scratch *scratch);
+size_t fin_scratch_bytes(const struct fin_scratch *scratch);
 
 /** Makes room for edge_count silhouette edges of the caster, < 2^31. False: out of memory, and
  *  nothing has changed. */

@@ -39,12 +39,18 @@ void gl_load_debug(struct gl *gl, sm_get_proc get_proc)
 
 void gl_push_group(struct gl *gl, const char *name)
 {
+	gl->group = name;
+	if (gl->observer.begin != NULL)
+		gl->observer.begin(gl->observer.data, name);
 	if (gl->PushDebugGroup != NULL && gl->PopDebugGroup != NULL)
 		gl->PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION_KHR, 0, -1, name);
 }
 
 void gl_pop_group(struct gl *gl)
 {
+	if (gl->observer.end != NULL)
+		gl->observer.end(gl->observer.data, gl->group);
+	gl->group = NULL;
 	if (gl->PushDebugGroup != NULL && gl->PopDebugGroup != NULL)
 		gl->PopDebugGroup();
 }

@@ -103,6 +103,9 @@ struct gl {
 	gl_push_debug_group PushDebugGroup;
 	gl_pop_debug_group PopDebugGroup;
 	int objects; /* made and not yet deleted */
+	struct sm_pass_observer observer;
+	const char *group;     /* that is open; NULL: none */
+	uint64_t target_bytes; /* of all targets there are */
 };
 
 /** Resolves the ES 3.0 functions; fails (MACHINE) naming the first that is missing. */
@@ -112,7 +115,7 @@ bool gl_load(struct gl *gl, sm_get_proc get_proc, struct sm_error *error);
  *  its messages. Call only when the extension string is there. */
 void gl_load_debug(struct gl *gl, sm_get_proc get_proc);
 
-/** Bracket GPU work for debuggers; nothing without KHR_debug. */
+/** Bracket a pass, for debuggers (KHR_debug) and the observer. Passes do not nest. */
 void gl_push_group(struct gl *gl, const char *name);
 void gl_pop_group(struct gl *gl);
 

@@ -1,6 +1,30 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/target.h"
 
+static uint64_t texel_bytes(GLenum internal_format)
+{
+	switch (internal_format) {
+	case GL_R8:
+		return 1;
+	case GL_R16F:
+	case GL_RG8:
+	case GL_DEPTH_COMPONENT16:
+		return 2;
+	case GL_RGBA16F:
+	case GL_RG32F:
+		return 8;
+	case GL_RGBA32F:
+		return 16;
+	default:
+		return 4;
+	}
+}
+
+uint64_t texture_bytes(GLenum internal_format, GLsizei width, GLsizei height, GLsizei layers)
+{
+	return texel_bytes(internal_format) * (uint64_t)width * (uint64_t)height * (uint64_t)layers;
+}
+
 static void set_texture_parameters(struct gl *gl)
 {
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -34,6 +58,8 @@ bool target_init(struct target *target, struct gl *gl, GLsizei size, GLenum inte
 	if (problem != NULL)
 		return error_set(error, SM_ERROR_MACHINE, "no texture of %dx%d texels: %s", size,
 			size, problem);
+	target->bytes = texture_bytes(internal_format, size, size, 1);
+	gl->target_bytes += target->bytes;
 	return true;
 }
 
@@ -41,6 +67,8 @@ void target_finish(struct target *target, struct gl *gl)
 {
 	gl_delete_framebuffer(gl, &target->framebuffer);
 	gl_delete_texture(gl, &target->texture);
+	gl->target_bytes -= target->bytes;
+	target->bytes = 0;
 }
 
 void target_bind(const struct target *target, struct gl *gl)

@@ -8,7 +8,11 @@
 struct target {
 	GLuint texture, framebuffer;
 	GLsizei size; /* texels a side */
+	uint64_t bytes;
 };
+
+/** Of a texture of a format that is drawn into. */
+uint64_t texture_bytes(GLenum internal_format, GLsizei width, GLsizei height, GLsizei layers);
 
 /** Nearest filtering, clamped to the edge. attachment:
  * GL_COLOR_ATTACHMENT0 or GL_DEPTH_ATTACHMENT. Leaves the target bound as framebuffer. On failure

@@ -77,6 +77,8 @@ static const struct key keys[] = {
 		.follows = "the light's radius", .min = 1e-4, .max = 1},
 	{SECTION_SHADOW, "falloff", KEY_WORD, offsetof(struct plan_shadow, falloff),
 		.initial = "default", .words = "default|linear|sinusoid"},
+	{SECTION_SHADOW, "samples", KEY_COUNT, offsetof(struct plan_shadow, samples),
+		.follows = "the technique's first", .min = 1, .max = 1024},
 	{SECTION_SHADOW, "passes", KEY_COUNT, offsetof(struct plan_shadow, passes), .follows = "1",
 		.min = 1, .max = 2},
 	{SECTION_OUTPUT, "size", KEY_SIZE, offsetof(struct plan_output, width),

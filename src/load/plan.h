@@ -42,7 +42,7 @@ struct plan_shadow {
 	uint32_t map;    /* 0: the renderer's default, also below */
 	float width;     /* NaN: the renderer's default */
 	enum sm_falloff falloff;
-	uint32_t passes;
+	uint32_t samples, passes;
 };
 
 struct plan_output {

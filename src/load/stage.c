@@ -379,6 +379,7 @@ static bool finish_stage(struct builder *builder, struct stage *stage, struct sm
 			.map_size = shadow->map,
 			.width = isnan(shadow->width) ? 0 : shadow->width,
 			.falloff = shadow->falloff,
+			.samples = shadow->samples,
 			.passes = shadow->passes},
 		.output = {plan->output.width, plan->output.height,
 			plan->output.samples == PLAN_SAMPLES_4 ? 4 : 1},

@@ -8,15 +8,27 @@
 /* No caster is before the near plane: there, from this share of its distance on, all is alike. */
 #define LEAST_W 1e-3f
 
-bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size, struct sm_error *error)
+/* The nearest texel lies half a texel off, the four nearest up to one; a twentieth more for
+ * vertices that the rasteriser snapped to its grid. */
+static const struct {
+	GLint filter;
+	float texels_around;
+} filters[] = {
+	[DEPTH_MAP_NEAREST] = {GL_NEAREST, 0.55f},
+	[DEPTH_MAP_LINEAR] = {GL_LINEAR, 1.05f},
+};
+
+bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
+	enum depth_map_filter filter, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
+	map->texels_around = filters[filter].texels_around;
 	if (!target_init(&map->target, gl, (GLsizei)size, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT,
 		    error))
 		return false;
 	map->compare = gl_create_sampler(gl);
-	gl->SamplerParameteri(map->compare, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-	gl->SamplerParameteri(map->compare, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+	gl->SamplerParameteri(map->compare, GL_TEXTURE_MIN_FILTER, filters[filter].filter);
+	gl->SamplerParameteri(map->compare, GL_TEXTURE_MAG_FILTER, filters[filter].filter);
 	gl->SamplerParameteri(map->compare, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
 	gl->SamplerParameteri(map->compare, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 	gl->SamplerParameteri(map->compare, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -71,13 +83,11 @@ static bool draw_inside(struct gpu *gpu, const struct sm_scene *scene,
 	const struct program *program = program_use(&gpu->programs, gl, key, error);
 	if (program == NULL)
 		return false;
-	gl_push_group(gl, __func__);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	target_restrict(area, gl);
 	draw_casters(gpu, scene, frame, content, program);
 	gl->Disable(GL_SCISSOR_TEST);
-	gl_pop_group(gl);
 	return true;
 }
 
@@ -90,19 +100,25 @@ static void clear(struct gl *gl)
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error)
 {
+	gl_push_group(&gpu->gl, "shadow map");
 	target_bind(&map->target, &gpu->gl);
 	clear(&gpu->gl);
-	return draw_inside(gpu, scene, frame, content, target_inside(&map->target), error);
+	bool drawn = draw_inside(gpu, scene, frame, content, target_inside(&map->target), error);
+	gl_pop_group(&gpu->gl);
+	return drawn;
 }
 
 bool depth_map_draw_area(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content, struct target_area area,
 	struct sm_error *error)
 {
+	gl_push_group(&gpu->gl, "receiver map");
 	target_bind(&map->target, &gpu->gl);
 	target_restrict(area, &gpu->gl);
 	clear(&gpu->gl);
-	return draw_inside(gpu, scene, frame, content, area, error);
+	bool drawn = draw_inside(gpu, scene, frame, content, area, error);
+	gl_pop_group(&gpu->gl);
+	return drawn;
 }
 
 /* How light space becomes window coordinates: w = z, x, y / (2 extent w), K (1 - near / w) for a
@@ -144,6 +160,7 @@ void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct l
 	gpu_bind_texture(gpu, UNIT_DEPTH_COMPARE, map->target.texture);
 	gpu->gl.BindSampler(UNIT_DEPTH_COMPARE, map->compare);
 	gpu->gl.Uniform2f(program->uniform.map_size, size, 1.0f / size);
+	gpu->gl.Uniform1f(program->uniform.lookup_reach, map->texels_around / size);
 	set_screen(gpu, frame, program);
 	set_bias_limit(map, gpu, frame, program);
 }

@@ -8,10 +8,15 @@
 /** A light's shadow map: a depth texture, read plainly or compared. */
 struct depth_map {
 	struct target target;
-	GLuint compare; /* sampler: LEQUAL, linear */
+	GLuint compare;      /* sampler: LEQUAL */
+	float texels_around; /* how far from a surface the texels it is compared at are centred */
 };
 
-bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size, struct sm_error *error);
+/** At which texels the sampler compares. */
+enum depth_map_filter { DEPTH_MAP_NEAREST, DEPTH_MAP_LINEAR };
+
+bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
+	enum depth_map_filter filter, struct sm_error *error);
 void depth_map_finish(struct depth_map *map, struct gpu *gpu);
 
 /** Which objects a map holds. */

@@ -145,6 +145,15 @@ static void mark_fins(struct fin_stream *stream, GLsizei map_size)
 	}
 }
 
+static void upload(struct fin_stream *stream, struct gpu *gpu)
+{
+	size_t bytes = stream->vertex_count * sizeof(*stream->vertices);
+	gpu->gl.BindBuffer(GL_ARRAY_BUFFER, stream->buffer);
+	gpu->gl.BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, stream->vertices, GL_STREAM_DRAW);
+	gpu->stats.fin_vertices += stream->vertex_count;
+	gpu->stats.uploaded_bytes += bytes;
+}
+
 bool fin_stream_update(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, float width, GLsizei map_size, struct sm_error *error)
 {
@@ -153,17 +162,24 @@ bool fin_stream_update(struct fin_stream *stream, struct gpu *gpu, const struct 
 	/* A point light has no penumbra. */
 	if (width == 0.0f && frame->disc == 0.0f)
 		return true;
+	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
-	if (!build(stream, gpu, scene, frame, width, map_size))
-		return error_no_memory(error);
-	mark_fins(stream, map_size);
-	gpu->stats.silhouette_ms += processor_ms() - start;
-	gpu->stats.fin_vertices += stream->vertex_count;
-	size_t bytes = stream->vertex_count * sizeof(*stream->vertices);
-	gpu->gl.BindBuffer(GL_ARRAY_BUFFER, stream->buffer);
-	gpu->gl.BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, stream->vertices, GL_STREAM_DRAW);
-	gpu->stats.uploaded_bytes += bytes;
-	return true;
+	bool built = build(stream, gpu, scene, frame, width, map_size);
+	if (built) {
+		mark_fins(stream, map_size);
+		gpu->stats.silhouette_ms += processor_ms() - start;
+		upload(stream, gpu);
+	}
+	gl_pop_group(&gpu->gl);
+	return built || error_no_memory(error);
+}
+
+size_t fin_stream_bytes(const struct fin_stream *stream)
+{
+	return stream->facing_capacity * sizeof(*stream->facing) +
+	       stream->edge_capacity * sizeof(*stream->edges) +
+	       stream->vertex_capacity * sizeof(*stream->vertices) +
+	       fin_scratch_bytes(&stream->scratch);
 }
 
 bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, struct sm_error *error)

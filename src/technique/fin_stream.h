@@ -22,6 +22,9 @@ void fin_stream_init(struct fin_stream *stream, struct gpu *gpu);
 /** Fine on a zeroed one. */
 void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu);
 
+/** Of the processor's memory. */
+size_t fin_stream_bytes(const struct fin_stream *stream);
+
 /** Finds the silhouettes of all casters, builds their fins and uploads them. width: t as a share
  *  of the light's screen, or 0 for the light's radius. map_size: texels a side that they are drawn
  *  over. */

@@ -9,7 +9,7 @@ static bool hard_init(void *state, struct gpu *gpu, const struct sm_shadow_optio
 	struct sm_error *error)
 {
 	struct hard *hard = state;
-	return depth_map_init(&hard->map, gpu, options->map_size, error);
+	return depth_map_init(&hard->map, gpu, options->map_size, DEPTH_MAP_NEAREST, error);
 }
 
 static void hard_finish(void *state, struct gpu *gpu)
@@ -40,7 +40,7 @@ static void hard_bind(const void *state, struct gpu *gpu, const struct light_fra
 
 const struct technique technique_hard = {
 	.name = "hard",
-	.summary = "an ordinary shadow map, compared at the four nearest texels",
+	.summary = "an ordinary shadow map (Williams 1978), compared at the nearest texel",
 	.state_size = sizeof(struct hard),
 	.init = hard_init,
 	.finish = hard_finish,

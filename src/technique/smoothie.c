@@ -51,7 +51,7 @@ static bool smoothie_init(void *state, struct gpu *gpu, const struct sm_shadow_o
 	fin_stream_init(&smoothie->fins, gpu);
 	if (smoothie->sinusoid)
 		make_falloff(smoothie, gl);
-	if (!depth_map_init(&smoothie->casters, gpu, options->map_size, error) ||
+	if (!depth_map_init(&smoothie->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
 		!target_init(&smoothie->buffer, gl, size, gpu->caps.smoothie_format.internal_format,
 			GL_COLOR_ATTACHMENT0, error))
 		return false;
@@ -89,8 +89,8 @@ static bool draw_receivers(struct smoothie *smoothie, struct gpu *gpu, const str
 	const struct light_frame *frame, struct sm_error *error)
 {
 	if (smoothie->receivers.target.texture == 0 &&
-		!depth_map_init(
-			&smoothie->receivers, gpu, (uint32_t)smoothie->casters.target.size, error))
+		!depth_map_init(&smoothie->receivers, gpu, (uint32_t)smoothie->casters.target.size,
+			DEPTH_MAP_NEAREST, error))
 		return false;
 	return depth_map_draw_area(&smoothie->receivers, gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY,
 		fin_area(smoothie), error);
@@ -155,7 +155,7 @@ static bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene
 		if (!draw_receivers(smoothie, gpu, scene, frame, error))
 			return false;
 	}
-	gl_push_group(&gpu->gl, __func__);
+	gl_push_group(&gpu->gl, "smoothies");
 	gpu_bind_texture(gpu, UNIT_DEPTH, smoothie->casters.target.texture);
 	gpu_bind_texture(gpu, UNIT_RECEIVER, smoothie->receivers.target.texture);
 	gpu_bind_texture(gpu, UNIT_FALLOFF, smoothie->falloff);
@@ -176,6 +176,12 @@ static const struct screen_grid *smoothie_soft_grid(const void *state)
 {
 	const struct smoothie *smoothie = state;
 	return &smoothie->fins.grid;
+}
+
+static size_t smoothie_geometry_bytes(const void *state)
+{
+	const struct smoothie *smoothie = state;
+	return fin_stream_bytes(&smoothie->fins);
 }
 
 static void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -199,5 +205,6 @@ const struct technique technique_smoothie = {
 	.prepare = smoothie_prepare,
 	.surface_flags = smoothie_surface_flags,
 	.soft_grid = smoothie_soft_grid,
+	.geometry_bytes = smoothie_geometry_bytes,
 	.bind = smoothie_bind,
 };

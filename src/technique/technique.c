@@ -2,7 +2,8 @@
 #include "technique/technique.h"
 #include <string.h>
 
-static const struct technique *const techniques[] = {&technique_smoothie, &technique_hard};
+static const struct technique *const techniques[] = {
+	&technique_smoothie, &technique_hard, &technique_pcf};
 
 const struct technique *technique_at(size_t index)
 {

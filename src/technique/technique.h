@@ -13,11 +13,15 @@ enum technique_option {
 	OPTION_PASSES = 1 << 2,
 };
 
+#define SAMPLE_CHOICES_MAX 4
+
 /** One way to make shadows. The state is one light's: its textures, and what fills them. */
 struct technique {
 	const char *name, *summary;
 	unsigned int options; /* technique_option bits that it uses */
-	size_t state_size;    /* zeroed before init */
+	/* Of options.samples, the default first; ends with 0. All 0: it is not used. */
+	uint32_t samples[SAMPLE_CHOICES_MAX + 1];
+	size_t state_size; /* zeroed before init */
 
 	/** options: every 0 replaced by its default, where it has one. */
 	bool (*init)(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
@@ -32,12 +36,17 @@ struct technique {
 	/** Where on the light's screen surfaces may look otherwise than FLAG_HARD draws them, for
 	 *  which bind() serves as well; owned by the state. NULL: everywhere. */
 	const struct screen_grid *(*soft_grid)(const void *state);
+	/** How far on the light's screen, NDC, from where it is a surface may be darkened by a
+	 *  caster, beyond the texels of a bilinear look-up. NULL: no farther. */
+	float (*reach)(const void *state, const struct light_frame *frame);
+	/** Bytes of geometry in the processor's memory. NULL: none. */
+	size_t (*geometry_bytes)(const void *state);
 	/** Binds textures and sets uniforms of a program with these flags, in use. */
 	void (*bind)(const void *state, struct gpu *gpu, const struct light_frame *frame,
 		const struct program *program);
 };
 
-extern const struct technique technique_hard, technique_smoothie;
+extern const struct technique technique_hard, technique_pcf, technique_smoothie;
 
 /** NULL past the last one. */
 const struct technique *technique_at(size_t index);

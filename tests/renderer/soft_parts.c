@@ -39,10 +39,10 @@ static void bind_comparing(const struct technique *technique, const void *state,
 		program->key.flags & FLAG_HARD ? (GLint)plain_compare : GL_LEQUAL);
 }
 
-static void bind_hard(const void *state, struct gpu *gpu, const struct light_frame *frame,
+static void bind_pcf(const void *state, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program)
 {
-	bind_comparing(&technique_hard, state, gpu, frame, program);
+	bind_comparing(&technique_pcf, state, gpu, frame, program);
 }
 
 static void bind_smoothie(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -57,7 +57,7 @@ static void set_shadows(struct rig *rig, const struct sm_shadow_options *options
 	static struct technique changed;
 	rig_set_shadows(rig, options);
 	changed = *rig->renderer->shadows.technique;
-	changed.bind = changed.soft_grid != NULL ? bind_smoothie : bind_hard;
+	changed.bind = changed.soft_grid != NULL ? bind_smoothie : bind_pcf;
 	rig->renderer->shadows.technique = &changed;
 }
 
@@ -77,7 +77,7 @@ static struct visibility draw_comparing(struct rig *rig, const struct sm_scene *
 struct census {
 	size_t pixels, penumbra;
 	size_t plain;      /* drawn by the shadow map alone */
-	size_t unshadowed; /* not even by that; counted with "hard" */
+	size_t unshadowed; /* not even by that; counted with "pcf" */
 	int apart;         /* most, of 65535, that plain pixels are from whole ones */
 };
 
@@ -121,7 +121,7 @@ static void check_census(const struct census *census, const char *technique)
 	assert_true(census->penumbra > census->pixels / 200);
 }
 
-static const char *const techniques[] = {"smoothie", "hard"};
+static const char *const techniques[] = {"smoothie", "pcf"};
 #define TECHNIQUES (sizeof(techniques) / sizeof(techniques[0]))
 
 /* Closed, in 16 clusters. */

@@ -75,7 +75,7 @@ bool visibility_is_blended(struct rig *rig)
 	parts_add_object(scene, parts_add_square(scene), PART_CASTS,
 		&(struct pose){{0.4f, 1, 0.4f}, 20, {0, 1, 0}});
 	parts_add_light(scene, &lamp);
-	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "hard", .map_size = 64});
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "pcf", .map_size = 64});
 	visibility_draw(&seen, rig, scene, &overhead, SIZE, SIZE);
 	for (size_t i = 0; i < SIZE * SIZE; i++)
 		between += seen.values[i] > 0 && seen.values[i] < 65535;

@@ -28,11 +28,17 @@ struct study {
 	const char *technique, *falloff; /* falloff: a setting, or NULL */
 	double at_03[SCENES];            /* R / d = .03 */
 	double mean_at_01, mean_at_10;   /* of the six, at the other two */
-	uint32_t outside; /* most pixels off by .1 beside the penumbra of one scene */
 };
 
 static const struct study hard = {
 	.technique = "shadow.technique=hard",
+	.at_03 = {0.262, 0.267, 0.284, 0.265, 0.274, 0.288},
+	.mean_at_01 = 0.293,
+	.mean_at_10 = 0.283,
+};
+
+static const struct study pcf = {
+	.technique = "shadow.technique=pcf",
 	.at_03 = {0.235, 0.227, 0.218, 0.228, 0.228, 0.254},
 	.mean_at_01 = 0.191,
 	.mean_at_10 = 0.268,
@@ -121,10 +127,15 @@ static void check_study(struct rig *rig, const struct study *study)
 
 static void hard_shadows_are_as_wrong_as_in_the_study(void **state)
 {
+	check_study(*state, &hard);
+}
+
+static void filtered_shadows_are_as_wrong_as_in_the_study(void **state)
+{
 	/* The study's blends them. */
 	if (!visibility_is_blended(*state))
 		skip();
-	check_study(*state, &hard);
+	check_study(*state, &pcf);
 }
 
 static void linear_smoothies_are_as_wrong_as_in_the_study(void **state)
@@ -141,6 +152,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(hard_shadows_are_as_wrong_as_in_the_study),
+		rig_test(filtered_shadows_are_as_wrong_as_in_the_study),
 		rig_test(linear_smoothies_are_as_wrong_as_in_the_study),
 		rig_test(sinusoid_smoothies_are_as_wrong_as_in_the_study),
 	};
