@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/error.h"
-#include <stdio.h>
+#include "base/line.h"
 
 bool error_set(struct sm_error *error, enum sm_status status, const char *format, ...)
 {
@@ -9,7 +9,7 @@ bool error_set(struct sm_error *error, enum sm_status status, const char *format
 	error->status = status;
 	va_list args;
 	va_start(args, format);
-	vsnprintf(error->text, sizeof(error->text), format, args);
+	line_format(error->text, sizeof(error->text), format, args);
 	va_end(args);
 	return false;
 }

@@ -7,7 +7,8 @@
 
 #define PRINTF_LIKE(text, first) __attribute__((format(printf, text, first)))
 
-/** Fills *error (may be NULL) and returns false, so that a failing function can return it. */
+/** Fills *error (may be NULL) with one line, whatever the arguments hold, and returns false, so
+ * that a failing function can return it. */
 bool error_set(struct sm_error *error, enum sm_status status, const char *format, ...)
 	PRINTF_LIKE(3, 4);
 

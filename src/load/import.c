@@ -469,7 +469,7 @@ static bool add_lights(struct import *import)
 
 /* ---- the whole file ---- */
 
-/** assimp's message on one line, without what it repeats. */
+/** assimp's message, without what it repeats. */
 static bool fail_as_assimp(struct import *import)
 {
 	char cause[200];
@@ -478,8 +478,6 @@ static bool fail_as_assimp(struct import *import)
 		return fail(import, "not a model in a format that is known");
 	if (strstr(cause, "bad_alloc") != NULL)
 		return fail(import, "damaged, or larger than memory allows");
-	for (char *c = cause; *c != '\0'; c++)
-		*c = (unsigned char)*c < ' ' ? ' ' : *c;
 	return fail(import, cause);
 }
 

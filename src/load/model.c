@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "load/model.h"
 #include "base/array.h"
+#include "base/line.h"
 #include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
@@ -61,7 +62,7 @@ void model_note(struct model *model, const char *format, ...)
 	char text[400];
 	va_list args;
 	va_start(args, format);
-	vsnprintf(text, sizeof(text), format, args);
+	line_format(text, sizeof(text), format, args);
 	va_end(args);
 	struct model_note *note = model_alloc(model, 1, sizeof(*note));
 	if (note == NULL)

@@ -19,6 +19,15 @@ static void an_error_is_a_status_and_one_line(void **state)
 	assert_string_equal(error.text, "out of memory");
 }
 
+/* Names and values from files are in it. */
+static void control_characters_are_blanks(void **state)
+{
+	(void)state;
+	struct sm_error error;
+	error_set(&error, SM_ERROR_INPUT, "%s", "two\nlines\r\x1b[31m\x7f, caf\xc3\xa9");
+	assert_string_equal(error.text, "two lines  [31m , caf\xc3\xa9");
+}
+
 static void no_one_need_listen(void **state)
 {
 	(void)state;
@@ -54,6 +63,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(an_error_is_a_status_and_one_line),
+		cmocka_unit_test(control_characters_are_blanks),
 		cmocka_unit_test(no_one_need_listen),
 		cmocka_unit_test(a_long_line_is_cut),
 		cmocka_unit_test(statuses_are_exit_statuses),
