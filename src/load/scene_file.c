@@ -223,14 +223,18 @@ static bool rebase_model(struct plan_object *object, const char *path, struct sm
 	return true;
 }
 
-bool scene_file_read(const char *path, struct plan *plan, struct sm_error *error)
+bool scene_file_parse(const char *path, const char *text, struct plan *plan, struct sm_error *error)
 {
-	char *text = read_text(path, error);
-	if (text == NULL)
-		return false;
 	bool ok = read_keys(path, text, plan, error);
 	for (size_t i = 0; ok && i < plan->object_count; i++)
 		ok = rebase_model(&plan->objects[i], path, error);
+	return ok;
+}
+
+bool scene_file_read(const char *path, struct plan *plan, struct sm_error *error)
+{
+	char *text = read_text(path, error);
+	bool ok = text != NULL && scene_file_parse(path, text, plan, error);
 	free(text);
 	return ok;
 }

@@ -13,4 +13,8 @@ bool scene_file_is(const char *source);
  */
 bool scene_file_read(const char *path, struct plan *plan, struct sm_error *error);
 
+/** The same of its text, as if it stood in that file. */
+bool scene_file_parse(
+	const char *path, const char *text, struct plan *plan, struct sm_error *error);
+
 #endif
