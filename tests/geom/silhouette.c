@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/silhouette.h"
+#include "facing.h"
 #include "geom/mesh.h"
 #include "models.h"
 #include <math.h>
@@ -9,21 +10,6 @@
 #include <string.h>
 
 #include <cmocka.h>
-
-/* The specification of facing, word for word. */
-static bool faces(const struct caster *caster, size_t t, const float l[4])
-{
-	const uint32_t *v = &caster->indices[3 * t];
-	const float *p0 = caster->positions[v[0]];
-	const float *p1 = caster->positions[v[1]], *p2 = caster->positions[v[2]];
-	double ux = (double)p1[0] - p0[0], uy = (double)p1[1] - p0[1], uz = (double)p1[2] - p0[2];
-	double vx = (double)p2[0] - p0[0], vy = (double)p2[1] - p0[1], vz = (double)p2[2] - p0[2];
-	double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-	double w = l[3];
-	if (!isfinite(l[0]) || !isfinite(l[1]) || !isfinite(l[2]) || !isfinite(l[3]))
-		return false;
-	return nx * (l[0] - w * p0[0]) + ny * (l[1] - w * p0[1]) + nz * (l[2] - w * p0[2]) > 0.0;
-}
 
 static bool has_bit(const uint64_t *words, size_t i)
 {
@@ -70,7 +56,7 @@ static void check_facing(struct subject *s, const float light[4])
 	memset(s->facing, 0xa5, facing_words(caster) * sizeof(*s->facing));
 	facing_find(caster, light, s->facing);
 	for (size_t t = 0; t < caster->triangle_count; t++)
-		if (has_bit(s->facing, t) != faces(caster, t, light))
+		if (has_bit(s->facing, t) != faces_by_definition(caster, t, light))
 			fail_msg("triangle %zu, light %a %a %a %a", t, light[0], light[1], light[2],
 				light[3]);
 	for (size_t t = caster->triangle_count; t < 64 * facing_words(caster); t++)
