@@ -101,10 +101,15 @@ static void shadow_of(
 	float reach = shadow_reach * frame->radius;
 	/* A ray that rises or grazes the ground throws it to the horizon. */
 	float away = ray[1] < 0 ? fminf(level * drop / -ray[1], reach) : reach;
-	float share = level > 0 ? away / level : 0; /* straight down: right below */
-	shadow[0] = point[0] + ray[0] * share;
+	vec3 aside = {0, 0, 0}; /* straight down: right below */
+	/* Each is 1 at most, however short the level. */
+	if (level > 0) {
+		aside[0] = ray[0] / level;
+		aside[2] = ray[2] / level;
+	}
+	shadow[0] = point[0] + away * aside[0];
 	shadow[1] = frame->ground;
-	shadow[2] = point[2] + ray[2] * share;
+	shadow[2] = point[2] + away * aside[2];
 }
 
 enum { POINTS = 16 };
