@@ -163,6 +163,17 @@ static bool place_ground(const struct builder *builder, struct sm_error *error)
 	return sm_scene_set_transform(builder->scene, 0, transform, error);
 }
 
+/** Products of two lengths must stay well below the largest float, 3.4e38. */
+static bool check_place(
+	const char *source, const char *what, const float point[3], struct sm_error *error)
+{
+	for (int i = 0; i < 3; i++)
+		if (!(fabsf(point[i]) <= 1e15f))
+			return error_set(error, SM_ERROR_INPUT,
+				"%s: it has %s farther than 1e15 from the origin", source, what);
+	return true;
+}
+
 /** Takes a light of a model into the plan, with its place in the world. */
 static bool adopt_light(struct builder *builder, const struct model_light *source, mat4 world,
 	float scale, struct sm_error *error)
@@ -178,11 +189,13 @@ static bool adopt_light(struct builder *builder, const struct model_light *sourc
 	glm_mat4_mulv3(world, light->desc.position, 1, light->desc.position);
 	glm_mat4_mulv3(world, light->desc.target, 1, light->desc.target);
 	light->desc.radius *= scale;
-	return true;
+	return check_place(builder->source, "a light", light->desc.position, error);
 }
 
-static void adopt_camera(struct sm_camera *camera, const struct sm_camera *source, mat4 world)
+static bool adopt_camera(
+	struct builder *builder, const struct sm_camera *source, mat4 world, struct sm_error *error)
 {
+	struct sm_camera *camera = &builder->plan.camera;
 	if (isnan(camera->eye[0]))
 		glm_mat4_mulv3(world, (float *)source->eye, 1, camera->eye);
 	if (isnan(camera->target[0]))
@@ -191,6 +204,7 @@ static void adopt_camera(struct sm_camera *camera, const struct sm_camera *sourc
 		glm_mat4_mulv3(world, (float *)source->up, 0, camera->up);
 	if (isnan(camera->fov))
 		camera->fov = source->fov;
+	return check_place(builder->source, "a camera", camera->eye, error);
 }
 
 static void placement_of(const struct plan_object *object, struct model_placement *placement)
@@ -228,23 +242,12 @@ static bool place_model(
 		return error_set(error, cause.status, "%s: %s", object->model, cause.text);
 	mat4 world;
 	memcpy(world, placement.transform, sizeof(world));
-	if (model->has_camera)
-		adopt_camera(&builder->plan.camera, &model->camera, world);
+	if (model->has_camera && !adopt_camera(builder, &model->camera, world, error))
+		return false;
 	float scale = fmaxf(object->scale[0], fmaxf(object->scale[1], object->scale[2]));
 	for (size_t i = 0; with_lights && i < model->light_count; i++)
 		if (!adopt_light(builder, &model->lights[i], world, scale, error))
 			return false;
-	return true;
-}
-
-/** Products of two lengths must stay well below the largest float, 3.4e38. */
-static bool check_box(const struct builder *builder, float box[2][3], struct sm_error *error)
-{
-	for (int i = 0; i < 6; i++)
-		if (!(fabsf(box[i / 3][i % 3]) <= 1e15f))
-			return error_set(error, SM_ERROR_INPUT,
-				"%s: it has corners farther than 1e15 from the origin",
-				builder->source);
 	return true;
 }
 
@@ -263,7 +266,8 @@ static bool fill_scene(struct builder *builder, struct sm_error *error)
 			return false;
 	float box[2][3];
 	find_box(builder, box);
-	if (!check_box(builder, box, error))
+	if (!check_place(builder->source, "corners", box[0], error) ||
+		!check_place(builder->source, "corners", box[1], error))
 		return false;
 	frame_init(&builder->frame, box, plan->ground.height);
 	return place_ground(builder, error);

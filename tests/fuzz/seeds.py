@@ -113,6 +113,14 @@ MODELS = {
                    model_light(0, [0, 3, 0], [0, 0, 0], [0, 0, 1]),
     "light-in-the-middle": bytes([0, 0, 1]) + ONE + model_object(0) +
                            model_light(4, [0, 0, 0], [0, 1, 0], [0, 0, 1]),
+    "light-far-away": bytes([0, 0, 1]) + ONE + model_object(0) +
+                      model_light(4, [1e19, 1e19, 1e19], [-1, -1, -1], [0, 0, 1]),
+    "light-at-the-end": bytes([0, 0, 1]) + ONE + model_object(0) +
+                        model_light(0, ["max", "max", "max"], [0, 0, 0], [0, 0, 1]),
+    "light-parallel-far-away": bytes([0, 0, 1]) + ONE + model_object(0) +
+                               model_light(5, ["max", 0, 0], [-1, 0, 0], [1, 0, 0]),
+    "camera-far-away": bytes([0, 0, 0]) + ONE + model_object(0) + bytes([1]) +
+                       numbers([1e30, 1e30, 1e30, 0, 0, 0, 0, 1, 0, 0]) + bytes([99]),
     "light-nowhere": bytes([0, 0, 1]) + ONE + model_object(0) +
                      model_light(4, ["nan", 0, 0], [0, "inf", 0], [0, 0, 0]),
     "huge": bytes([0, 0, 0]) + ONE + model_object(0, [1e15, 0, 0, 0, 1e15, 0, 0, 0, 1e15, 0, 0, 0]),
