@@ -92,11 +92,13 @@ static void take_camera(struct model *model)
 {
 	struct sm_camera *camera = &model->camera;
 	take_floats(&numbers, camera->eye, 3);
-	take_floats(&numbers, camera->target, 3);
+	for (int i = 0; i < 3; i++) /* a direction's length away */
+		camera->target[i] =
+			camera->eye[i] + fmaxf(-1.0f, fminf(1.0f, take_float(&numbers)));
 	take_floats(&numbers, camera->up, 3);
 	camera->fov = 40.0f + 8.0f * take_float(&numbers);
 	model->has_camera = is_usable(camera);
-	model->width = 1 + take_byte(&numbers);
+	model->width = 96 + 36u * take_byte(&numbers); /* a tenth to ten times the height */
 	model->height = 960;
 }
 

@@ -97,7 +97,7 @@ def model_light(flags, position, direction, fade):
     return bytes([flags]) + b"li" + numbers([1] + position + direction + fade)
 
 
-CAMERA = bytes([1]) + numbers([3, 3, 3, 0, 0, 0, 0, 1, 0, 0]) + bytes([99])
+CAMERA = bytes([1]) + numbers([3, 3, 3, -0.5, -0.5, -0.5, 0, 1, 0, 0]) + bytes([99])
 ONE = model_mesh(CUBE, CUBE_FACES)
 TWO = ONE + model_mesh(TETRAHEDRON, TETRAHEDRON_FACES)
 SPOT = model_light(4, [0, 5, 0], [0, 4, 0], [1, 0, 0])

@@ -3,17 +3,17 @@
 #include "expect.h"
 #include <math.h>
 
-/* Of a stage that reaches up to 1e15: its square is a float. */
-static void expect_place(const float point[3])
+/* Of a stage that reaches up to 1e15: products of lengths are floats. */
+static void expect_near_enough(const struct sm_camera *camera)
 {
 	for (int i = 0; i < 3; i++)
-		expect(fabsf(point[i]) <= 1e18f);
+		expect(fabsf(camera->eye[i]) <= 1e18f && fabsf(camera->target[i]) <= 1e18f);
 }
 
 static void expect_sound_camera(const struct sm_camera *camera)
 {
-	expect_place(camera->eye);
-	expect_place(camera->target);
+	expect_finite(camera->eye, 3);
+	expect_finite(camera->target, 3);
 	expect_finite(camera->up, 3);
 	expect(camera->fov >= 1.0f && camera->fov <= 170.0f);
 	expect(camera->near == 0.0f || (camera->near > 0.0f && camera->near < camera->far));
@@ -37,6 +37,7 @@ void expect_sound_stage(struct stage *stage)
 	expect(stage->output.samples == 1 || stage->output.samples == 4);
 	expect_sound_scene(stage->scene);
 	expect_sound_camera(&stage->camera);
+	expect_near_enough(&stage->camera);
 	for (size_t i = 0; i < sizeof(times) / sizeof(*times); i++) {
 		if (!stage_set_time(stage, times[i], &error))
 			expect_clear_error(&error);
