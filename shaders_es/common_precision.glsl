@@ -3,3 +3,4 @@ precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp sampler2DShadow;
+precision highp usampler2D;

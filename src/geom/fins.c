@@ -50,37 +50,39 @@ static struct fin_edge *edge_of(const struct fin_scratch *scratch, uint32_t end)
 
 struct quad_writer {
 	const struct fin_params *params;
+	float side; /* that is written: 1 outside, -1 inside */
 	struct fin_vertex *out;
 	size_t capacity, count;
 };
 
-static void write_vertex(struct fin_vertex *out, const struct fin_end *end, float x, float y)
+static void write_vertex(struct fin_vertex *out, const struct quad_writer *writer,
+	const struct fin_end *end, const float offset[2])
 {
+	float x = writer->side * end->drawn * offset[0], y = writer->side * end->drawn * offset[1];
 	*out = (struct fin_vertex){
 		.position = {end->position[0] + x, end->position[1] + y, end->position[2]},
 		.offset = {x, y},
-		.width = end->width,
+		.width = writer->side * end->width,
 	};
 }
 
-/* offsets: of the four vertices from their ends, in widths as drawn */
+/* offsets: of the four vertices from their ends, in widths as drawn, as if outside */
 static void write_quad(
 	struct quad_writer *writer, const struct fin_end *const ends[4], const float offsets[4][2])
 {
 	if (writer->capacity - writer->count >= 4 && writer->count <= writer->capacity) {
-		for (int i = 0; i < 4; i++) {
-			float drawn = ends[i]->drawn;
-			write_vertex(&writer->out[writer->count + (size_t)i], ends[i],
-				drawn * offsets[i][0], drawn * offsets[i][1]);
-		}
+		for (int i = 0; i < 4; i++)
+			write_vertex(&writer->out[writer->count + (size_t)i], writer, ends[i],
+				offsets[i]);
 	}
 	writer->count += 4;
 }
 
-static void write_edge(struct quad_writer *writer, const struct fin_edge *edge)
+static void write_edge(struct quad_writer *writer, const struct fin_edge *edge, float side)
 {
 	const struct fin_end *a = &edge->ends[0], *b = &edge->ends[1];
 	const float *n = edge->outward;
+	writer->side = side;
 	if (fmaxf(a->drawn, b->drawn) > writer->params->finest)
 		write_quad(writer, (const struct fin_end *const[]){a, b, b, a},
 			(const float[4][2]){{0, 0}, {0, 0}, {n[0], n[1]}, {n[0], n[1]}});
@@ -120,19 +122,18 @@ static bool normalise(float v[2], float shortest)
 	return true;
 }
 
-/* Where one edge ends and one starts: a gap opens where the blocker, which is on their left, turns
- * left, and at a full turn back. */
-static void write_simple_corner(struct quad_writer *writer, const struct fin_edge *in,
-	const struct fin_edge *out, bool mirrored)
+/* Where one edge ends and one starts: a gap opens outside where the blocker, which is on their
+ * left, turns left, and inside where it turns right; at a full turn back on either side. */
+static void write_simple_corner(
+	struct quad_writer *writer, const struct fin_edge *in, const struct fin_edge *out)
 {
 	const float *d0 = in->direction, *d1 = out->direction;
 	float turn = d0[0] * d1[1] - d0[1] * d1[0];
 	float along = d0[0] * d1[0] + d0[1] * d1[1];
-	if (mirrored)
-		turn = -turn;
+	turn *= writer->params->mirrored ? -writer->side : writer->side;
 	if (turn < 0.0f || (turn == 0.0f && along >= 0.0f))
 		return;
-	float outer[2] = {d0[0] - d1[0], d0[1] - d1[1]};
+	float outer[2] = {writer->side * (d0[0] - d1[0]), writer->side * (d0[1] - d1[1])};
 	normalise(outer, 0.0f);
 	write_corner(writer, &in->ends[1], in->outward, out->outward, outer);
 }
@@ -173,21 +174,22 @@ static void write_shared_corner(
 	}
 }
 
-static void write_corners_at(struct quad_writer *writer, const struct fin_scratch *scratch,
-	uint32_t first, bool mirrored)
+static void write_corners_at(
+	struct quad_writer *writer, const struct fin_scratch *scratch, uint32_t first, float side)
 {
 	const struct fin_edge *edge = edge_of(scratch, first);
 	uint32_t second = edge->next[first % 2];
 	if (second == NO_END)
 		return;
+	writer->side = side;
 	const struct fin_edge *other = edge_of(scratch, second);
 	bool simple = other->next[second % 2] == NO_END && first % 2 != second % 2;
 	if (!simple)
 		write_shared_corner(writer, scratch, first);
 	else if (first % 2 == 1)
-		write_simple_corner(writer, edge, other, mirrored);
+		write_simple_corner(writer, edge, other);
 	else
-		write_simple_corner(writer, other, edge, mirrored);
+		write_simple_corner(writer, other, edge);
 }
 
 /* The half-spaces whose intersection is kept, as p . plane >= 0 in clip space: in front of the near
@@ -273,7 +275,7 @@ static struct fin_end end_of(
 	return (struct fin_end){
 		.position = {(float)x, (float)y, (float)z},
 		.width = (float)width,
-		.drawn = (float)(width * drawn_share(params, z)),
+		.drawn = (float)(width * drawn_share(params, z)) + params->apron,
 	};
 }
 
@@ -353,10 +355,11 @@ bool fin_scratch_reserve(
 	return ok;
 }
 
-size_t fins_max_vertices(size_t edge_count)
+size_t fins_max_vertices(size_t edge_count, bool both_sides)
 {
 	/* A quad an edge and one an end; saturates, so that allocating as much fails. */
-	return edge_count <= SIZE_MAX / 12 ? 12 * edge_count : SIZE_MAX;
+	size_t most = both_sides ? 24 : 12;
+	return edge_count <= SIZE_MAX / most ? most * edge_count : SIZE_MAX;
 }
 
 size_t fins_build(const struct caster *caster, const struct silhouette_edge *edges,
@@ -371,7 +374,9 @@ size_t fins_build(const struct caster *caster, const struct silhouette_edge *edg
 		bool cut[2] = {false, false};
 		if (!project_edge(params, caster->positions[a], caster->positions[b], edge, cut))
 			continue;
-		write_edge(&writer, edge);
+		write_edge(&writer, edge, 1.0f);
+		if (params->both_sides)
+			write_edge(&writer, edge, -1.0f);
 		/* Where an edge is cut is no corner. */
 		if (!cut[0])
 			link_end(scratch, a, (uint32_t)(2 * e));
@@ -384,7 +389,9 @@ size_t fins_build(const struct caster *caster, const struct silhouette_edge *edg
 			uint32_t *first = &scratch->first[vertices[i]];
 			if (*first == NO_END)
 				continue;
-			write_corners_at(&writer, scratch, *first, params->mirrored);
+			write_corners_at(&writer, scratch, *first, 1.0f);
+			if (params->both_sides)
+				write_corners_at(&writer, scratch, *first, -1.0f);
 			*first = NO_END;
 		}
 	}

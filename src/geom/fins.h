@@ -14,19 +14,22 @@ enum fin_width {
 struct fin_params {
 	float object_to_clip[16]; /* column-major, the light's clip space: |x|, |y|, |z| <= w */
 	enum fin_width width;
-	float scale;   /* >= 0 */
-	float pole;    /* K of struct light_frame: fins are drawn only as far out as
-			  1 - b/r of a receiver at the far plane, since beyond it
-			  alpha' is 1; 0: drawn in full */
-	float finest;  /* NDC: fins and gaps nowhere wider are left out; 0: none is */
-	bool mirrored; /* the transform flips orientation as seen with x right, y up */
+	float scale;     /* >= 0 */
+	float pole;      /* K of struct light_frame: fins are drawn only as far out as
+			    1 - b/r of a receiver at the far plane, since beyond it
+			    alpha' is 1; 0: drawn in full */
+	float finest;    /* NDC: fins and gaps nowhere wider are left out; 0: none is */
+	float apron;     /* NDC: fins are drawn this much wider than they are */
+	bool both_sides; /* fins inside the silhouette as well, of negative width */
+	bool mirrored;   /* the transform flips orientation as seen with x right, y up */
 };
 
-/** alpha of a fragment = length(offset) / width, both interpolated. */
+/** alpha of a fragment = length(offset) / |width|, both interpolated. */
 struct fin_vertex {
 	float position[3]; /* NDC, w = 1; x and y may lie beyond the screen, z is in [-1, 1] */
 	float offset[2];   /* from the silhouette, NDC */
-	float width;       /* NDC, > 0 at one vertex of a quad at least */
+	float width;       /* NDC; below 0: inside. Not 0 at one vertex of a quad at least, but for
+			      the apron */
 };
 
 /** Working memory of fins_build(), kept between calls. */
@@ -48,11 +51,12 @@ bool fin_scratch_reserve(
 	struct fin_scratch *scratch, const struct caster *caster, size_t edge_count);
 
 /** No silhouette of edge_count edges needs more vertices. */
-size_t fins_max_vertices(size_t edge_count);
+size_t fins_max_vertices(size_t edge_count, bool both_sides);
 
 /**
  * Smoothies without their depth: a quad along the outside of each silhouette edge, and at convex
  * corners further quads that close the gap between two of them (Chan & Durand 2003, section 3).
+ * With both_sides the same along the inside, where the gaps are at concave corners.
  *
  * edges: [edge_count], from silhouette_find(). scratch: reserved for at least edge_count edges.
  * out: [capacity], a multiple of 4; quads of four vertices in order around, of either orientation.

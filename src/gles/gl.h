@@ -36,6 +36,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(BUFFERDATA, BufferData) \
 	X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
 	X(CLEARBUFFERFV, ClearBufferfv) \
+	X(CLEARBUFFERUIV, ClearBufferuiv) \
 	X(COMPILESHADER, CompileShader) \
 	X(CREATEPROGRAM, CreateProgram) \
 	X(CREATESHADER, CreateShader) \

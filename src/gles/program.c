@@ -47,7 +47,7 @@ static GLuint compile(
 static void bind_attributes(struct gl *gl, GLuint name, enum program_kind kind)
 {
 	gl->BindAttribLocation(name, ATTRIBUTE_POSITION, "position");
-	if (kind == PROGRAM_FIN) {
+	if (kind == PROGRAM_FIN || kind == PROGRAM_TWO_SIDED_FIN) {
 		gl->BindAttribLocation(name, ATTRIBUTE_OFFSET, "offset");
 		gl->BindAttribLocation(name, ATTRIBUTE_WIDTH, "width");
 	} else {
@@ -91,6 +91,7 @@ static void set_samplers(struct gl *gl, const struct program *program)
 	gl->Uniform1i(program->uniform.smoothie_map, UNIT_SMOOTHIE);
 	gl->Uniform1i(program->uniform.smoothie_depth, UNIT_SMOOTHIE_DEPTH);
 	gl->Uniform1i(program->uniform.falloff, UNIT_FALLOFF);
+	gl->Uniform1i(program->uniform.fin_map, UNIT_FINS);
 }
 
 /* From the caller's store if it can be. */

@@ -27,21 +27,28 @@ static const struct {
 	FLAG(DITHER),
 	FLAG(WIDEN),
 	FLAG(STORED),
+	FLAG(TWO_SIDED),
 #undef FLAG
 };
 
 #define FLAG_COUNT (sizeof(flag_names) / sizeof(flag_names[0]))
 
-/* Files of a stage, in order; one with a flag is left out unless the flag is on. */
+/* Each a way to make shadows. */
+#define SHADOW_FLAGS (FLAG_HARD | FLAG_SMOOTHIE | FLAG_TWO_SIDED)
+
+/* Those that look up four texels each. */
+#define TAP_FLAGS (FLAG_SMOOTHIE | FLAG_TWO_SIDED)
+
+/* Files of a stage, in order; one with flags is left out unless one of them is on. */
 struct part {
 	const char *file;
-	uint32_t flag;
+	uint32_t flags;
 };
 
 static const struct {
 	const char *name;
 	uint32_t flags; /* that mean something */
-	struct part parts[2][8];
+	struct part parts[2][10];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -58,12 +65,17 @@ static const struct {
 					{{"common_light_depth.glsl"}, {"smoothie_fin.frag"}},
 				},
 		},
+	[PROGRAM_TWO_SIDED_FIN] =
+		{
+			.name = "two-sided-fin",
+			.flags = FLAG_RECEIVER_MAP,
+			.parts = {{{"smoothie_fin.vert"}}, {{"two_sided_fin.frag"}}},
+		},
 	[PROGRAM_SURFACE] =
 		{
 			.name = "surface",
-			.flags = FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SMOOTHIE |
-				 FLAG_SEPARATE_DEPTH | FLAG_GATHER | FLAG_TEXTURED |
-				 FLAG_VISIBILITY | FLAG_ENCODE_SRGB,
+			.flags = FLAG_LIT | FLAG_SHADOWED | SHADOW_FLAGS | FLAG_SEPARATE_DEPTH |
+				 FLAG_GATHER | FLAG_TEXTURED | FLAG_VISIBILITY | FLAG_ENCODE_SRGB,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -72,7 +84,9 @@ static const struct {
 						{"common_light_depth.glsl", FLAG_SMOOTHIE},
 						{"shadow_receiver.glsl", FLAG_SHADOWED},
 						{"shadow_hard.glsl", FLAG_HARD},
+						{"shadow_taps.glsl", TAP_FLAGS},
 						{"shadow_smoothie.glsl", FLAG_SMOOTHIE},
+						{"shadow_two_sided.glsl", FLAG_TWO_SIDED},
 						{"surface.frag"},
 					},
 				},
@@ -95,6 +109,14 @@ static bool implies(uint32_t flags, uint32_t flag, uint32_t needed)
 	return !(flags & flag) || (flags & needed) == needed;
 }
 
+static int count_bits(uint32_t bits)
+{
+	int count = 0;
+	for (; bits != 0; bits &= bits - 1)
+		count++;
+	return count;
+}
+
 static bool excludes(uint32_t flags, uint32_t flag, uint32_t other)
 {
 	return !(flags & flag) || !(flags & other);
@@ -105,12 +127,10 @@ bool program_key_is_valid(struct program_key key)
 	uint32_t flags = key.flags;
 	if (flags & ~programs[key.kind].flags)
 		return false;
-	bool one_shadow = !(flags & FLAG_HARD) != !(flags & FLAG_SMOOTHIE);
-	bool any_shadow = flags & (FLAG_HARD | FLAG_SMOOTHIE);
-	return (flags & FLAG_SHADOWED ? one_shadow : !any_shadow) &&
+	return count_bits(flags & SHADOW_FLAGS) == (flags & FLAG_SHADOWED ? 1 : 0) &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
-	       implies(flags, FLAG_GATHER, FLAG_SMOOTHIE) &&
+	       (!(flags & FLAG_GATHER) || flags & TAP_FLAGS) &&
 	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB) &&
 	       excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID) &&
 	       excludes(flags, FLAG_DITHER, FLAG_WIDEN);
@@ -137,7 +157,7 @@ size_t shader_parts(
 			parts[count++] = flag_names[i].define;
 	const struct part *part = programs[key.kind].parts[stage];
 	for (; part->file != NULL; part++)
-		if (part->flag == 0 || key.flags & part->flag)
+		if (part->flags == 0 || key.flags & part->flags)
 			parts[count++] = file_text(part->file);
 	assert(count <= SHADER_PARTS_MAX);
 	return count;

@@ -15,6 +15,7 @@ extern const struct shader_file shader_files[];
 enum program_kind {
 	PROGRAM_DEPTH_MAP,
 	PROGRAM_FIN,
+	PROGRAM_TWO_SIDED_FIN,
 	PROGRAM_SURFACE,
 	PROGRAM_COPY,
 	PROGRAM_SCREEN,
@@ -39,7 +40,8 @@ enum program_flag {
 	FLAG_DITHER = 1 << 12,
 	FLAG_WIDEN = 1 << 13,
 	FLAG_STORED = 1 << 14,
-	FLAG_END = 1 << 15,
+	FLAG_TWO_SIDED = 1 << 15,
+	FLAG_END = 1 << 16,
 };
 
 struct program_key {

@@ -14,6 +14,7 @@ static uint64_t texel_bytes(GLenum internal_format)
 	case GL_RG32F:
 		return 8;
 	case GL_RGBA32F:
+	case GL_RGBA32UI:
 		return 16;
 	default:
 		return 4;

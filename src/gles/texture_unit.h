@@ -11,6 +11,7 @@ enum texture_unit {
 	UNIT_SMOOTHIE,
 	UNIT_SMOOTHIE_DEPTH,
 	UNIT_FALLOFF,
+	UNIT_FINS,
 	UNIT_COUNT,
 };
 

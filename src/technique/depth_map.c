@@ -108,15 +108,18 @@ bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scen
 	return drawn;
 }
 
-bool depth_map_draw_area(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, enum depth_map_content content, struct target_area area,
+bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, GLsizei size, struct target_area area,
 	struct sm_error *error)
 {
+	if (map->target.texture == 0 &&
+		!depth_map_init(map, gpu, (uint32_t)size, DEPTH_MAP_NEAREST, error))
+		return false;
 	gl_push_group(&gpu->gl, "receiver map");
 	target_bind(&map->target, &gpu->gl);
 	target_restrict(area, &gpu->gl);
 	clear(&gpu->gl);
-	bool drawn = draw_inside(gpu, scene, frame, content, area, error);
+	bool drawn = draw_inside(gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, area, error);
 	gl_pop_group(&gpu->gl);
 	return drawn;
 }

@@ -29,9 +29,10 @@ bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content 
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error);
 
-/** The same within an area alone; what is around it is not touched. */
-bool depth_map_draw_area(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, enum depth_map_content content, struct target_area area,
+/** Draws what receives and does not cast within an area alone; what is around it is not touched.
+ *  Initialises a zeroed map, of this size. */
+bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, GLsizei size, struct target_area area,
 	struct sm_error *error);
 
 /** Binds the map for a surface program, and sets the uniforms of shadow_receiver.glsl. */

@@ -5,11 +5,6 @@
 #include <string.h>
 #include <time.h>
 
-/* Width of a fin as a share of the half-width of the penumbra it stands for, R (r - b) / (b r) on
- * the light's screen. A fin only has the outer half, running from dark at the silhouette, where
- * half the light is seen: as wide as the true penumbra it would darken too much. */
-#define WIDTH_SHARE 0.4f
-
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu)
 {
 	struct gl *gl = &gpu->gl;
@@ -45,24 +40,27 @@ void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu)
 	free(stream->vertices);
 }
 
-static struct fin_params fin_params_of(
-	const struct light_frame *frame, const struct object *object, float width, GLsizei map_size)
+static struct fin_params fin_params_of(const struct light_frame *frame, const struct object *object,
+	const struct fin_shape *shape, GLsizei map_size)
 {
+	float texel = 2.0f / (float)map_size;
 	struct fin_params params = {
 		.pole = frame->pole,
-		.finest = 1.0f / (float)map_size, /* half a texel */
+		.finest = shape->both_sides ? 0.0f : 0.5f * texel,
+		.apron = shape->apron * texel,
+		.both_sides = shape->both_sides,
 		.mirrored = glm_mat4_det((vec4 *)object->transform) < 0.0f,
 	};
 	mat4 to_clip;
 	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
 	memcpy(params.object_to_clip, to_clip, sizeof(params.object_to_clip));
-	if (width > 0.0f) {
+	if (shape->width > 0.0f) {
 		params.width = FIN_WIDTH_CONSTANT;
-		params.scale = 2.0f * width; /* the screen is two units of NDC wide */
+		params.scale = 2.0f * shape->width; /* the screen is two units of NDC wide */
 		return params;
 	}
 	params.width = frame->parallel ? FIN_WIDTH_PARALLEL : FIN_WIDTH_PERSPECTIVE;
-	params.scale = WIDTH_SHARE * frame->disc / frame->half_extent;
+	params.scale = shape->share * frame->disc / frame->half_extent;
 	if (frame->parallel)
 		params.scale *= frame->far - frame->near;
 	return params;
@@ -89,7 +87,7 @@ static bool find_silhouettes(
 static bool append_fins(struct fin_stream *stream, const struct caster *caster, size_t edge_count,
 	const struct fin_params *params)
 {
-	size_t most = stream->vertex_count + fins_max_vertices(edge_count);
+	size_t most = stream->vertex_count + fins_max_vertices(edge_count, params->both_sides);
 	if (!fin_scratch_reserve(&stream->scratch, caster, edge_count) ||
 		!array_reserve((void **)&stream->vertices, &stream->vertex_capacity, most,
 			sizeof(*stream->vertices)))
@@ -108,7 +106,7 @@ static double processor_ms(void)
 }
 
 static bool build(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, float width, GLsizei map_size)
+	const struct light_frame *frame, const struct fin_shape *shape, GLsizei map_size)
 {
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
@@ -120,7 +118,7 @@ static bool build(struct fin_stream *stream, struct gpu *gpu, const struct sm_sc
 		size_t edge_count;
 		glm_mat4_inv((vec4 *)object->transform, to_object);
 		glm_mat4_mulv(to_object, (float *)frame->origin, light);
-		struct fin_params params = fin_params_of(frame, object, width, map_size);
+		struct fin_params params = fin_params_of(frame, object, shape, map_size);
 		if (!find_silhouettes(stream, caster, light, &edge_count) ||
 			!append_fins(stream, caster, edge_count, &params))
 			return false;
@@ -155,16 +153,17 @@ static void upload(struct fin_stream *stream, struct gpu *gpu)
 }
 
 bool fin_stream_update(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, float width, GLsizei map_size, struct sm_error *error)
+	const struct light_frame *frame, const struct fin_shape *shape, GLsizei map_size,
+	struct sm_error *error)
 {
 	stream->vertex_count = 0;
 	screen_grid_clear(&stream->grid);
 	/* A point light has no penumbra. */
-	if (width == 0.0f && frame->disc == 0.0f)
+	if (shape->width == 0.0f && frame->disc == 0.0f)
 		return true;
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
-	bool built = build(stream, gpu, scene, frame, width, map_size);
+	bool built = build(stream, gpu, scene, frame, shape, map_size);
 	if (built) {
 		mark_fins(stream, map_size);
 		gpu->stats.silhouette_ms += processor_ms() - start;
@@ -172,6 +171,26 @@ bool fin_stream_update(struct fin_stream *stream, struct gpu *gpu, const struct 
 	}
 	gl_pop_group(&gpu->gl);
 	return built || error_no_memory(error);
+}
+
+struct target_area fin_stream_area(const struct fin_stream *stream, GLsizei map_size)
+{
+	int min[2], max[2];
+	if (!screen_grid_bounds(&stream->grid, min, max))
+		return (struct target_area){0};
+	GLint x = min[0] * map_size / SCREEN_GRID_SIZE, y = min[1] * map_size / SCREEN_GRID_SIZE;
+	/* Up to the texel that the last cell ends in. */
+	GLint right = (max[0] * map_size + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
+	GLint top = (max[1] * map_size + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
+	return (struct target_area){x, y, right - x, top - y};
+}
+
+float fin_stream_spread(const struct light_frame *frame, GLsizei map_size)
+{
+	/* Window depth is linear in 1 / z for a spot, K (1 - near / z), and in z otherwise. */
+	float range =
+		frame->parallel ? frame->far - frame->near : 1.0f / (frame->pole * frame->near);
+	return 0.5f * (float)map_size * frame->disc / frame->half_extent * range;
 }
 
 size_t fin_stream_bytes(const struct fin_stream *stream)

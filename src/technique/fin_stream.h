@@ -4,6 +4,7 @@
 
 #include "geom/fins.h"
 #include "geom/screen_grid.h"
+#include "gles/target.h"
 #include "technique/technique.h"
 
 /** The fins of one light: found on the processor each frame, and drawn from one buffer. */
@@ -18,6 +19,14 @@ struct fin_stream {
 	struct screen_grid grid; /* where surfaces that look them up may be */
 };
 
+/** What fins of a technique look like. */
+struct fin_shape {
+	float width;     /* share of the light's screen; 0: from the light's radius */
+	float share;     /* then: of the half-width of the penumbra */
+	float apron;     /* texels: drawn this much wider */
+	bool both_sides; /* inside of the silhouette as well, and however narrow */
+};
+
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu);
 /** Fine on a zeroed one. */
 void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu);
@@ -25,11 +34,18 @@ void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu);
 /** Of the processor's memory. */
 size_t fin_stream_bytes(const struct fin_stream *stream);
 
-/** Finds the silhouettes of all casters, builds their fins and uploads them. width: t as a share
- *  of the light's screen, or 0 for the light's radius. map_size: texels a side that they are drawn
- *  over. */
+/** Finds the silhouettes of all casters, builds their fins and uploads them. map_size: texels a
+ *  side that they are drawn over. */
 bool fin_stream_update(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, float width, GLsizei map_size, struct sm_error *error);
+	const struct light_frame *frame, const struct fin_shape *shape, GLsizei map_size,
+	struct sm_error *error);
+
+/** Texels of the cells that fins are in. */
+struct target_area fin_stream_area(const struct fin_stream *stream, GLsizei map_size);
+
+/** Half the width of a penumbra, in texels, over the difference of blocker and receiver in window
+ *  depth: for a spot R (1/b - 1/r) is proportional to that as well. */
+float fin_stream_spread(const struct light_frame *frame, GLsizei map_size);
 
 /** Draws the fins with the program in use; nothing when there are none. */
 bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, struct sm_error *error);

@@ -12,12 +12,17 @@ struct smoothie {
 	struct target depth; /* with two passes */
 	GLuint falloff;      /* table of the sinusoid */
 	struct fin_stream fins;
-	float width;
+	struct fin_shape shape;
 	bool sinusoid, two_passes;
 	uint32_t surface_flags;
 };
 
 #define FALLOFF_SIZE 256
+
+/* Width of a fin as a share of the half-width of the penumbra it stands for, R (r - b) / (b r) on
+ * the light's screen. A fin only has the outer half, running from dark at the silhouette, where
+ * half the light is seen: as wide as the true penumbra it would darken too much. */
+#define WIDTH_SHARE 0.4f
 
 static void make_falloff(struct smoothie *smoothie, struct gl *gl)
 {
@@ -43,7 +48,7 @@ static bool smoothie_init(void *state, struct gpu *gpu, const struct sm_shadow_o
 	struct smoothie *smoothie = state;
 	struct gl *gl = &gpu->gl;
 	GLsizei size = (GLsizei)options->map_size;
-	smoothie->width = options->width;
+	smoothie->shape = (struct fin_shape){.width = options->width, .share = WIDTH_SHARE};
 	smoothie->sinusoid = options->falloff == SM_FALLOFF_SINUSOID;
 	smoothie->two_passes = options->passes == 2;
 	smoothie->surface_flags = FLAG_SMOOTHIE | (smoothie->two_passes ? FLAG_SEPARATE_DEPTH : 0) |
@@ -68,32 +73,6 @@ static void smoothie_finish(void *state, struct gpu *gpu)
 	target_finish(&smoothie->buffer, &gpu->gl);
 	depth_map_finish(&smoothie->receivers, gpu);
 	depth_map_finish(&smoothie->casters, gpu);
-}
-
-/* The texels of the cells that fins are in. */
-static struct target_area fin_area(const struct smoothie *smoothie)
-{
-	GLsizei size = smoothie->casters.target.size;
-	int min[2], max[2];
-	if (!screen_grid_bounds(&smoothie->fins.grid, min, max))
-		return (struct target_area){0};
-	GLint x = min[0] * size / SCREEN_GRID_SIZE, y = min[1] * size / SCREEN_GRID_SIZE;
-	/* Up to the texel that the last cell ends in. */
-	GLint right = (max[0] * size + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
-	GLint top = (max[1] * size + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
-	return (struct target_area){x, y, right - x, top - y};
-}
-
-/* A fin's texel asks for the distance of the receiver, which need not be a caster. */
-static bool draw_receivers(struct smoothie *smoothie, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, struct sm_error *error)
-{
-	if (smoothie->receivers.target.texture == 0 &&
-		!depth_map_init(&smoothie->receivers, gpu, (uint32_t)smoothie->casters.target.size,
-			DEPTH_MAP_NEAREST, error))
-		return false;
-	return depth_map_draw_area(&smoothie->receivers, gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY,
-		fin_area(smoothie), error);
 }
 
 static bool draw_fins(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
@@ -145,14 +124,16 @@ static bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene
 {
 	struct smoothie *smoothie = state;
 	uint32_t flags = smoothie->sinusoid ? FLAG_SINUSOID : 0;
+	GLsizei size = smoothie->casters.target.size;
 	if (!depth_map_draw(&smoothie->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
-		!fin_stream_update(&smoothie->fins, gpu, scene, frame, smoothie->width,
-			smoothie->casters.target.size, error))
+		!fin_stream_update(
+			&smoothie->fins, gpu, scene, frame, &smoothie->shape, size, error))
 		return false;
 	if (smoothie->fins.vertex_count > 0 &&
 		depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
 		flags |= FLAG_RECEIVER_MAP;
-		if (!draw_receivers(smoothie, gpu, scene, frame, error))
+		if (!depth_map_draw_receivers(&smoothie->receivers, gpu, scene, frame, size,
+			    fin_stream_area(&smoothie->fins, size), error))
 			return false;
 	}
 	gl_push_group(&gpu->gl, "smoothies");

@@ -3,7 +3,11 @@
 #include <string.h>
 
 static const struct technique *const techniques[] = {
-	&technique_smoothie, &technique_hard, &technique_pcf};
+	&technique_smoothie,
+	&technique_smoothie_two_sided,
+	&technique_hard,
+	&technique_pcf,
+};
 
 const struct technique *technique_at(size_t index)
 {

@@ -47,6 +47,7 @@ struct technique {
 };
 
 extern const struct technique technique_hard, technique_pcf, technique_smoothie;
+extern const struct technique technique_smoothie_two_sided;
 
 /** NULL past the last one. */
 const struct technique *technique_at(size_t index);

@@ -125,7 +125,7 @@ static void check_loops(
 	free(balance);
 }
 
-static void check_quad(const struct fin_vertex quad[4])
+static void check_quad(const struct fin_vertex quad[4], const struct fin_params *params)
 {
 	static const uint8_t sides[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
 	struct screen_point corners[4];
@@ -134,12 +134,12 @@ static void check_quad(const struct fin_vertex quad[4])
 	for (int i = 0; i < 4; i++) {
 		expect_finite(quad[i].position, 3);
 		expect_finite(quad[i].offset, 2);
-		expect(isfinite(quad[i].width) && quad[i].width >= 0.0f);
+		expect(isfinite(quad[i].width) && (quad[i].width >= 0.0f || params->both_sides));
 		expect(fabsf(quad[i].position[2]) <= 1.0f);
-		widest = fmaxf(widest, quad[i].width);
+		widest = fmaxf(widest, fabsf(quad[i].width));
 		corners[i] = (struct screen_point){quad[i].position[0], quad[i].position[1]};
 	}
-	expect(widest > 0.0f);
+	expect(widest > 0.0f || params->apron > 0.0f);
 	screen_grid_clear(&grid);
 	screen_grid_add(&grid, corners, sides, 4, 0.0f);
 	for (int i = 0; i < 4; i++)
@@ -155,11 +155,11 @@ static void check_fins(const struct caster *caster, const struct silhouette_edge
 	expect(fin_scratch_reserve(&scratch, caster, edge_count));
 	size_t count = fins_build(caster, edges, edge_count, params, &scratch, NULL, 0);
 	struct fin_vertex *fins = malloc(count * sizeof(*fins));
-	expect(count % 4 == 0 && count <= fins_max_vertices(edge_count));
+	expect(count % 4 == 0 && count <= fins_max_vertices(edge_count, params->both_sides));
 	expect(fins != NULL || count == 0);
 	expect(fins_build(caster, edges, edge_count, params, &scratch, fins, count) == count);
 	for (size_t i = 0; i < count; i += 4)
-		check_quad(&fins[i]);
+		check_quad(&fins[i], params);
 	for (size_t v = 0; v < scratch.vertex_capacity; v++)
 		expect(scratch.first[v] == UINT32_MAX);
 	free(fins);
@@ -175,7 +175,11 @@ static void check_shadow(
 	expect(count <= edge_table_records(&caster->edges) && (edges != NULL || count == 0));
 	expect(silhouette_find(caster, facing, edges, count) == count);
 	check_loops(caster, edges, count);
+	struct fin_params two_sided = *params;
+	two_sided.both_sides = true;
+	two_sided.apron = 4.0f * params->finest;
 	check_fins(caster, edges, count, params);
+	check_fins(caster, edges, count, &two_sided);
 	free(facing);
 	free(edges);
 }

@@ -33,7 +33,7 @@ struct fins build(const struct caster *caster, const struct silhouette_edge *edg
 	struct fins fins = {
 		.count = fins_build(caster, edges, edge_count, params, &scratch, NULL, 0)};
 	assert_int_equal(fins.count % 4, 0);
-	assert_true(fins.count <= fins_max_vertices(edge_count));
+	assert_true(fins.count <= fins_max_vertices(edge_count, params->both_sides));
 	fins.vertices = malloc(fins.count * sizeof(*fins.vertices) + (fins.count == 0));
 	assert_non_null(fins.vertices);
 	assert_int_equal(

@@ -380,8 +380,9 @@ static void scratch_grows_and_refuses(void **state)
 	assert_false(fin_scratch_reserve(&scratch, &small, UINT32_MAX));
 	assert_false(fin_scratch_reserve(&scratch, &huge, 1));
 	assert_true(fin_scratch_reserve(&scratch, &small, 1000));
-	assert_int_equal(fins_max_vertices(1000), 12000);
-	assert_int_equal(fins_max_vertices(SIZE_MAX / 2), SIZE_MAX);
+	assert_int_equal(fins_max_vertices(1000, false), 12000);
+	assert_int_equal(fins_max_vertices(1000, true), 24000);
+	assert_int_equal(fins_max_vertices(SIZE_MAX / 2, false), SIZE_MAX);
 	fin_scratch_finish(&scratch);
 }
 

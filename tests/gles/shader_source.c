@@ -27,6 +27,7 @@ static const struct {
 	{FLAG_DITHER, "DITHER"},
 	{FLAG_WIDEN, "WIDEN"},
 	{FLAG_STORED, "STORED"},
+	{FLAG_TWO_SIDED, "TWO_SIDED"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -96,9 +97,12 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_SCREEN], 3 * 2);
 	/* With and without a receiver map: linear, sinusoid, depth only. */
 	assert_int_equal(counts[PROGRAM_FIN], 6);
-	/* No light, no shadow, hard, and smoothie with or without its own depth and gathering; each
-	 * as visibility, or textured or not into sRGB or not. */
-	assert_int_equal(counts[PROGRAM_SURFACE], (3 + 2 * 2) * (1 + 2 * 2));
+	assert_int_equal(counts[PROGRAM_TWO_SIDED_FIN], 2);
+	const size_t shadows = 1 + /* hard */
+			       4 + /* smoothies with or without their own depth and gathering */
+			       2;  /* two-sided smoothies with or without gathering */
+	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
+	assert_int_equal(counts[PROGRAM_SURFACE], (2 + shadows) * (1 + 2 * 2));
 }
 
 static void shadow_functions_come_with_the_flag_of_their_technique(void **state)
@@ -138,6 +142,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_HARD},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SMOOTHIE},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SMOOTHIE},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_TWO_SIDED},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_GATHER},
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_TEXTURED},

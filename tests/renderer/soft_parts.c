@@ -51,13 +51,32 @@ static void bind_smoothie(const void *state, struct gpu *gpu, const struct light
 	bind_comparing(&technique_smoothie, state, gpu, frame, program);
 }
 
+static void bind_two_sided(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	bind_comparing(&technique_smoothie_two_sided, state, gpu, frame, program);
+}
+
+static const struct {
+	const struct technique *technique;
+	void (*bind)(const void *state, struct gpu *gpu, const struct light_frame *frame,
+		const struct program *program);
+} ways[] = {
+	{&technique_smoothie, bind_smoothie},
+	{&technique_pcf, bind_pcf},
+	{&technique_smoothie_two_sided, bind_two_sided},
+};
+#define WAYS (sizeof(ways) / sizeof(ways[0]))
+
 /* The technique that these options choose, with a comparison that can be changed. */
 static void set_shadows(struct rig *rig, const struct sm_shadow_options *options)
 {
 	static struct technique changed;
 	rig_set_shadows(rig, options);
 	changed = *rig->renderer->shadows.technique;
-	changed.bind = changed.soft_grid != NULL ? bind_smoothie : bind_pcf;
+	for (size_t i = 0; i < WAYS; i++)
+		if (ways[i].technique == rig->renderer->shadows.technique)
+			changed.bind = ways[i].bind;
 	rig->renderer->shadows.technique = &changed;
 }
 
@@ -120,9 +139,6 @@ static void check_census(const struct census *census, const char *technique)
 	assert_true(census->plain > census->pixels / 25);
 	assert_true(census->penumbra > census->pixels / 200);
 }
-
-static const char *const techniques[] = {"smoothie", "pcf"};
-#define TECHNIQUES (sizeof(techniques) / sizeof(techniques[0]))
 
 /* Closed, in 16 clusters. */
 static uint32_t add_ball(struct sm_scene *scene)
@@ -250,13 +266,13 @@ static void parts_look_like_the_whole(void **state)
 	struct rig *rig = *state;
 	add_things(rig->scene, PART_BOTH, false);
 	parts_add_light(rig->scene, &lights[0]);
-	for (size_t i = 0; i < TECHNIQUES; i++) {
+	for (size_t i = 0; i < WAYS; i++) {
 		struct census census = {0};
-		set_shadows(rig,
-			&(struct sm_shadow_options){.technique = techniques[i], .map_size = 256});
+		set_shadows(rig, &(struct sm_shadow_options){
+					 .technique = ways[i].technique->name, .map_size = 256});
 		for (size_t light = 0; light < LIGHTS; light++)
 			check_views(&census, rig, &lights[light]);
-		check_census(&census, techniques[i]);
+		check_census(&census, ways[i].technique->name);
 	}
 }
 
@@ -297,16 +313,17 @@ static void parts_look_like_the_whole_from_anywhere(void **state)
 	uint64_t random = 41;
 	add_things(rig->scene, PART_RECEIVES, false);
 	parts_add_light(rig->scene, &lights[0]);
-	for (size_t i = 0; i < TECHNIQUES; i++) {
+	for (size_t i = 0; i < WAYS; i++) {
 		struct census census = {0};
 		for (int round = 0; round < 120; round++) {
-			bool constant = techniques[i] == techniques[0] && round % 5 == 0;
-			set_shadows(rig, &(struct sm_shadow_options){.technique = techniques[i],
-						 .map_size = 16u << round % 6,
-						 .width = constant ? 0.02f : 0.0f});
+			bool constant = ways[i].technique == &technique_smoothie && round % 5 == 0;
+			set_shadows(rig,
+				&(struct sm_shadow_options){.technique = ways[i].technique->name,
+					.map_size = 16u << round % 6,
+					.width = constant ? 0.02f : 0.0f});
 			check_somewhere(&census, rig, &random, round % 3 == 0);
 		}
-		check_census(&census, techniques[i]);
+		check_census(&census, ways[i].technique->name);
 	}
 }
 
@@ -323,17 +340,17 @@ static void parts_of_built_in_scenes_look_like_the_whole(void **state)
 {
 	skip_unless_blended(*state);
 	struct rig *rig = *state;
-	for (size_t i = 0; i < TECHNIQUES; i++) {
+	for (size_t i = 0; i < WAYS; i++) {
 		struct census census = {0};
-		set_shadows(rig,
-			&(struct sm_shadow_options){.technique = techniques[i], .map_size = 512});
+		set_shadows(rig, &(struct sm_shadow_options){
+					 .technique = ways[i].technique->name, .map_size = 512});
 		for (size_t scene = 0; builtin_name(scene) != NULL; scene++) {
 			struct stage stage;
 			load(&stage, builtin_name(scene));
 			check_parts(&census, rig, stage.scene, &stage.camera, builtin_name(scene));
 			stage_finish(&stage);
 		}
-		check_census(&census, techniques[i]);
+		check_census(&census, ways[i].technique->name);
 	}
 }
 

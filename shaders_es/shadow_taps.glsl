@@ -1,0 +1,44 @@
+// The four texels around a surface on the light's screen, at corner + (0,1), (1,1), (1,0), (0,0), the
+// order of textureGather().
+#ifndef GATHER
+uniform sampler2D depth_map;
+#endif
+
+struct taps {
+	vec2 corner; // texel, lower left
+	vec2 f;      // where the surface is between their centres, [0, 1]
+};
+
+// Beside the map all four are a border texel.
+taps taps_at(vec2 s)
+{
+	vec2 texel = clamp(s * map_size.x - 0.5, vec2(0.0), vec2(map_size.x - 1.0));
+	vec2 corner = min(floor(texel), vec2(map_size.x - 2.0));
+	return taps(corner, texel - corner);
+}
+
+#ifdef GATHER
+vec4 fetch_lit(vec2 corner, float depth)
+{
+	return textureGather(depth_compare, (corner + 1.0) * map_size.y, depth);
+}
+
+#define FETCH(map, channel, corner) textureGather(map, (corner + 1.0) * map_size.y, channel)
+#else
+#define FETCH(map, channel, corner)                                                                \
+	vec4(texelFetch(map, ivec2(corner) + ivec2(0, 1), 0)[channel],                             \
+		texelFetch(map, ivec2(corner) + ivec2(1, 1), 0)[channel],                          \
+		texelFetch(map, ivec2(corner) + ivec2(1, 0), 0)[channel],                          \
+		texelFetch(map, ivec2(corner), 0)[channel])
+
+vec4 fetch_lit(vec2 corner, float depth)
+{
+	return vec4(greaterThanEqual(FETCH(depth_map, 0, corner), vec4(depth)));
+}
+#endif
+
+float blend(taps t, vec4 v)
+{
+	vec2 row = mix(v.wz, v.xy, t.f.y);
+	return mix(row.x, row.y, t.f.x);
+}

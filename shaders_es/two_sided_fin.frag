@@ -1,0 +1,62 @@
+// One texel of a two-sided fin: the way from the silhouette, in texels; the silhouette's window
+// depth, negative inside; and that of the surface beside the silhouette, which its shadow is on. The
+// depth test keeps the edge that is nearest as a share of its penumbra there: unlike blending it
+// keeps together what belongs to one edge.
+in vec2 fin_offset;
+in float fin_width; // below 0: inside
+
+uniform sampler2D depth_map;
+#ifdef RECEIVER_MAP
+uniform sampler2D receiver_map; // what receives and does not cast
+#endif
+uniform float spread; // half-width of a penumbra, texels, over the difference in window depth
+
+layout(location = 0) out uvec4 fin;
+
+// A surface beside the silhouette is looked for this many texels off it: beyond the texels that the
+// blocker may have in part.
+const float BESIDE = 0.75;
+// Drawn beyond the penumbra, so that each texel that a surface in it looks up knows the edge; as
+// FIN_APRON.
+const float APRON = 1.5;
+// Rounding of depths, as in shadow_receiver.glsl.
+const float DEPTH_STEP = 8.0 / 16777216.0;
+
+float surface_depth(ivec2 texel)
+{
+	texel = clamp(texel, ivec2(0), textureSize(depth_map, 0) - 1);
+	float depth = texelFetch(depth_map, texel, 0).r;
+#ifdef RECEIVER_MAP
+	depth = min(depth, texelFetch(receiver_map, texel, 0).r);
+#endif
+	return depth;
+}
+
+// Of the four texels around, the one farthest from the light.
+float farthest_depth(vec2 place)
+{
+	ivec2 corner = ivec2(floor(place - 0.5));
+	return max(max(surface_depth(corner), surface_depth(corner + ivec2(1, 0))),
+		max(surface_depth(corner + ivec2(0, 1)), surface_depth(corner + ivec2(1, 1))));
+}
+
+void main()
+{
+	bool inside = fin_width < 0.0;
+	float b = gl_FragCoord.z;
+	vec2 offset = fin_offset * (0.5 * float(textureSize(depth_map, 0).x));
+	float from = length(offset);
+	vec2 outward = (inside ? -offset : offset) / max(from, 1e-6);
+	// The surface that the edge throws its shadow on, next to it. Before the edge: it is hidden
+	// from the light, and is no silhouette.
+	float r = farthest_depth(gl_FragCoord.xy - offset + BESIDE * outward);
+	if (r < b - DEPTH_STEP)
+		discard;
+	if (!inside)
+		r = surface_depth(ivec2(gl_FragCoord.xy));
+	float full = spread * max(r - b, 0.0) + APRON; // > 0
+	if (from >= full || (!inside && r <= b))
+		discard;
+	fin = uvec4(packHalf2x16(offset), floatBitsToUint(inside ? -b : b), floatBitsToUint(r), 0u);
+	gl_FragDepth = from / full;
+}

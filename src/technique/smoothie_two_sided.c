@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: MIT */
+#include "technique/depth_map.h"
+#include "technique/fin_stream.h"
+
+/* Smoothies on both sides of the silhouette. The buffer holds, of the nearest edge, the way to it,
+ * its depth and that of the surface beside it; alpha is only found from them where a surface is
+ * drawn, by the surface's own depth. Integer texels are core ES 3.0, whatever a driver makes of
+ * floats: two half floats in a word, and two floats. */
+struct two_sided {
+	struct depth_map casters;
+	struct depth_map receivers; /* of objects that only receive: made when there are any */
+	struct target buffer;
+	struct target nearness; /* the buffer's depth attachment: 0 at an edge, 1 where no fin is */
+	struct fin_stream fins;
+	uint32_t surface_flags;
+};
+
+/* Half a texel more than what a surface's four texels may be off it. As APRON in
+ * two_sided_fin.frag. */
+#define FIN_APRON 1.5f
+
+static const struct fin_shape fin_shape = {.share = 1.0f, .apron = FIN_APRON, .both_sides = true};
+
+static bool two_sided_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+	struct sm_error *error)
+{
+	struct two_sided *two_sided = state;
+	struct gl *gl = &gpu->gl;
+	GLsizei size = (GLsizei)options->map_size;
+	two_sided->surface_flags = FLAG_TWO_SIDED | (gpu->caps.texture_gather ? FLAG_GATHER : 0);
+	fin_stream_init(&two_sided->fins, gpu);
+	if (!depth_map_init(&two_sided->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
+		!target_init(&two_sided->nearness, gl, size, GL_DEPTH_COMPONENT24,
+			GL_DEPTH_ATTACHMENT, error) ||
+		!target_init(
+			&two_sided->buffer, gl, size, GL_RGBA32UI, GL_COLOR_ATTACHMENT0, error))
+		return false;
+	gl->FramebufferTexture2D(
+		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, two_sided->nearness.texture, 0);
+	return true;
+}
+
+static void two_sided_finish(void *state, struct gpu *gpu)
+{
+	struct two_sided *two_sided = state;
+	fin_stream_finish(&two_sided->fins, gpu);
+	target_finish(&two_sided->buffer, &gpu->gl);
+	target_finish(&two_sided->nearness, &gpu->gl);
+	depth_map_finish(&two_sided->receivers, gpu);
+	depth_map_finish(&two_sided->casters, gpu);
+}
+
+static void clear_buffer(const struct two_sided *two_sided, struct gl *gl)
+{
+	/* An edge at depth 1, behind which nothing is: its bits as a float. */
+	static const GLuint none[4] = {0, 0x3f800000, 0, 0};
+	target_bind(&two_sided->buffer, gl);
+	gl->Disable(GL_SCISSOR_TEST);
+	gl->DepthMask(GL_TRUE);
+	gl->ClearBufferuiv(GL_COLOR, 0, none);
+	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
+}
+
+static bool draw_fins(struct two_sided *two_sided, struct gpu *gpu, const struct light_frame *frame,
+	uint32_t flags, struct sm_error *error)
+{
+	struct gl *gl = &gpu->gl;
+	struct program_key key = {.kind = PROGRAM_TWO_SIDED_FIN, .flags = flags};
+	const struct program *program = program_use(&gpu->programs, gl, key, error);
+	if (program == NULL)
+		return false;
+	gl->Uniform1f(
+		program->uniform.spread, fin_stream_spread(frame, two_sided->casters.target.size));
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_LESS);
+	target_restrict(target_inside(&two_sided->buffer), gl);
+	bool drawn = fin_stream_draw(&two_sided->fins, gpu, error);
+	gl->Disable(GL_SCISSOR_TEST);
+	return drawn;
+}
+
+static bool two_sided_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	struct two_sided *two_sided = state;
+	GLsizei size = two_sided->casters.target.size;
+	uint32_t flags = 0;
+	if (!depth_map_draw(&two_sided->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
+		!fin_stream_update(&two_sided->fins, gpu, scene, frame, &fin_shape, size, error))
+		return false;
+	if (two_sided->fins.vertex_count > 0 &&
+		depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
+		flags = FLAG_RECEIVER_MAP;
+		if (!depth_map_draw_receivers(&two_sided->receivers, gpu, scene, frame, size,
+			    fin_stream_area(&two_sided->fins, size), error))
+			return false;
+	}
+	gl_push_group(&gpu->gl, "smoothies");
+	gpu_bind_texture(gpu, UNIT_DEPTH, two_sided->casters.target.texture);
+	gpu_bind_texture(gpu, UNIT_RECEIVER, two_sided->receivers.target.texture);
+	clear_buffer(two_sided, &gpu->gl);
+	bool drawn = draw_fins(two_sided, gpu, frame, flags, error);
+	gl_pop_group(&gpu->gl);
+	return drawn;
+}
+
+static uint32_t two_sided_surface_flags(const void *state)
+{
+	const struct two_sided *two_sided = state;
+	return two_sided->surface_flags;
+}
+
+static const struct screen_grid *two_sided_soft_grid(const void *state)
+{
+	const struct two_sided *two_sided = state;
+	return &two_sided->fins.grid;
+}
+
+static size_t two_sided_geometry_bytes(const void *state)
+{
+	const struct two_sided *two_sided = state;
+	return fin_stream_bytes(&two_sided->fins);
+}
+
+static void two_sided_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	const struct two_sided *two_sided = state;
+	depth_map_bind(&two_sided->casters, gpu, frame, program);
+	gpu_bind_texture(gpu, UNIT_DEPTH, two_sided->casters.target.texture);
+	gpu_bind_texture(gpu, UNIT_FINS, two_sided->buffer.texture);
+	gpu->gl.Uniform1f(
+		program->uniform.spread, fin_stream_spread(frame, two_sided->casters.target.size));
+}
+
+const struct technique technique_smoothie_two_sided = {
+	.name = "smoothie-two-sided",
+	.summary = "fins on both sides of silhouettes, the light's disc cut by the nearest edge",
+	.state_size = sizeof(struct two_sided),
+	.init = two_sided_init,
+	.finish = two_sided_finish,
+	.prepare = two_sided_prepare,
+	.surface_flags = two_sided_surface_flags,
+	.soft_grid = two_sided_soft_grid,
+	.geometry_bytes = two_sided_geometry_bytes,
+	.bind = two_sided_bind,
+};
