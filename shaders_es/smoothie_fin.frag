@@ -1,5 +1,7 @@
 // One texel of a smoothie (Chan & Durand 2003, section 4): its depth, and its alpha remapped by
 // the distances of blocker and receiver, alpha' = clamp(alpha / (1 - b/r), 0, 1).
+// With CONE, of a cone or sheet that widens from the silhouette towards the receiver (Wyman & Hansen
+// 2003): how far on the way there it is.
 in vec2 fin_offset;
 in float fin_width;
 
@@ -7,7 +9,7 @@ uniform sampler2D depth_map;
 #ifdef RECEIVER_MAP
 uniform sampler2D receiver_map; // what receives and does not cast
 #endif
-#ifdef SINUSOID
+#if defined(SINUSOID) && !defined(CONE)
 uniform sampler2D falloff;
 #endif
 uniform float pole;
@@ -36,7 +38,15 @@ void main()
 		discard;
 #ifndef DEPTH_ONLY
 	alpha /= full;
+#ifdef CONE
+	// Here the cone's window depth is b + alpha (r - b); of the distances that go with the three,
+	// the share. The divisor is near_to_far at least.
+	float curve = 1.0 - near_to_far;
+	alpha *= (1.0 - curve * r) / (1.0 - curve * (b + alpha * (r - b)));
 #ifdef SINUSOID
+	alpha *= alpha * (3.0 - 2.0 * alpha);
+#endif
+#elif defined(SINUSOID)
 	// From the middle of the first entry to that of the last.
 	float entries = float(textureSize(falloff, 0).x);
 	alpha = textureLod(falloff, vec2((alpha * (entries - 1.0) + 0.5) / entries, 0.5), 0.0).r;

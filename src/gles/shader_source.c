@@ -28,6 +28,7 @@ static const struct {
 	FLAG(WIDEN),
 	FLAG(STORED),
 	FLAG(TWO_SIDED),
+	FLAG(CONE),
 #undef FLAG
 };
 
@@ -58,7 +59,7 @@ static const struct {
 	[PROGRAM_FIN] =
 		{
 			.name = "fin",
-			.flags = FLAG_SINUSOID | FLAG_DEPTH_ONLY | FLAG_RECEIVER_MAP,
+			.flags = FLAG_SINUSOID | FLAG_DEPTH_ONLY | FLAG_RECEIVER_MAP | FLAG_CONE,
 			.parts =
 				{
 					{{"smoothie_fin.vert"}},
@@ -132,7 +133,7 @@ bool program_key_is_valid(struct program_key key)
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
 	       (!(flags & FLAG_GATHER) || flags & TAP_FLAGS) &&
 	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB) &&
-	       excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID) &&
+	       excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID | FLAG_CONE) &&
 	       excludes(flags, FLAG_DITHER, FLAG_WIDEN);
 }
 

@@ -41,7 +41,8 @@ enum program_flag {
 	FLAG_WIDEN = 1 << 13,
 	FLAG_STORED = 1 << 14,
 	FLAG_TWO_SIDED = 1 << 15,
-	FLAG_END = 1 << 16,
+	FLAG_CONE = 1 << 16,
+	FLAG_END = 1 << 17,
 };
 
 struct program_key {

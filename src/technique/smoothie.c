@@ -1,21 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "technique/depth_map.h"
-#include "technique/fin_stream.h"
-
-/* Chan & Durand 2003. The smoothie buffer holds linear depth and alpha'. Minimum is what both are
- * reduced by, nearest depth and darkest alpha, so that one MIN-blended pass fills it; with
- * options.passes = 2 it is filled as in the paper, by a depth-tested pass and a MIN-blended one. */
-struct smoothie {
-	struct depth_map casters;
-	struct depth_map receivers; /* of objects that only receive: made when there are any */
-	struct target buffer;
-	struct target depth; /* with two passes */
-	GLuint falloff;      /* table of the sinusoid */
-	struct fin_stream fins;
-	struct fin_shape shape;
-	bool sinusoid, two_passes;
-	uint32_t surface_flags;
-};
+#include "technique/smoothie_state.h"
 
 #define FALLOFF_SIZE 256
 
@@ -42,19 +26,20 @@ static void make_falloff(struct smoothie *smoothie, struct gl *gl)
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-static bool smoothie_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
+	const struct sm_shadow_options *options, const struct fin_shape *shape, uint32_t fin_flags,
 	struct sm_error *error)
 {
-	struct smoothie *smoothie = state;
 	struct gl *gl = &gpu->gl;
 	GLsizei size = (GLsizei)options->map_size;
-	smoothie->shape = (struct fin_shape){.width = options->width, .share = WIDTH_SHARE};
-	smoothie->sinusoid = options->falloff == SM_FALLOFF_SINUSOID;
+	smoothie->shape = *shape;
+	smoothie->fin_flags =
+		fin_flags | (options->falloff == SM_FALLOFF_SINUSOID ? FLAG_SINUSOID : 0);
 	smoothie->two_passes = options->passes == 2;
 	smoothie->surface_flags = FLAG_SMOOTHIE | (smoothie->two_passes ? FLAG_SEPARATE_DEPTH : 0) |
 				  (gpu->caps.texture_gather ? FLAG_GATHER : 0);
 	fin_stream_init(&smoothie->fins, gpu);
-	if (smoothie->sinusoid)
+	if (options->falloff == SM_FALLOFF_SINUSOID && !(fin_flags & FLAG_CONE))
 		make_falloff(smoothie, gl);
 	if (!depth_map_init(&smoothie->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
 		!target_init(&smoothie->buffer, gl, size, gpu->caps.smoothie_format.internal_format,
@@ -64,7 +49,7 @@ static bool smoothie_init(void *state, struct gpu *gpu, const struct sm_shadow_o
 						GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error);
 }
 
-static void smoothie_finish(void *state, struct gpu *gpu)
+void smoothie_finish(void *state, struct gpu *gpu)
 {
 	struct smoothie *smoothie = state;
 	fin_stream_finish(&smoothie->fins, gpu);
@@ -119,11 +104,11 @@ static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
 	return drawn;
 }
 
-static bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
+bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct smoothie *smoothie = state;
-	uint32_t flags = smoothie->sinusoid ? FLAG_SINUSOID : 0;
+	uint32_t flags = smoothie->fin_flags;
 	GLsizei size = smoothie->casters.target.size;
 	if (!depth_map_draw(&smoothie->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
 		!fin_stream_update(
@@ -147,25 +132,25 @@ static bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene
 	return drawn;
 }
 
-static uint32_t smoothie_surface_flags(const void *state)
+uint32_t smoothie_surface_flags(const void *state)
 {
 	const struct smoothie *smoothie = state;
 	return smoothie->surface_flags;
 }
 
-static const struct screen_grid *smoothie_soft_grid(const void *state)
+const struct screen_grid *smoothie_soft_grid(const void *state)
 {
 	const struct smoothie *smoothie = state;
 	return &smoothie->fins.grid;
 }
 
-static size_t smoothie_geometry_bytes(const void *state)
+size_t smoothie_geometry_bytes(const void *state)
 {
 	const struct smoothie *smoothie = state;
 	return fin_stream_bytes(&smoothie->fins);
 }
 
-static void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
+void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program)
 {
 	const struct smoothie *smoothie = state;
@@ -176,12 +161,19 @@ static void smoothie_bind(const void *state, struct gpu *gpu, const struct light
 	gpu->gl.Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 }
 
+static bool init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+	struct sm_error *error)
+{
+	const struct fin_shape shape = {.width = options->width, .share = WIDTH_SHARE};
+	return smoothie_init(state, gpu, options, &shape, 0, error);
+}
+
 const struct technique technique_smoothie = {
 	.name = "smoothie",
 	.summary = "soft shadows by fins on silhouettes (Chan & Durand 2003)",
 	.options = OPTION_WIDTH | OPTION_FALLOFF | OPTION_PASSES,
 	.state_size = sizeof(struct smoothie),
-	.init = smoothie_init,
+	.init = init,
 	.finish = smoothie_finish,
 	.prepare = smoothie_prepare,
 	.surface_flags = smoothie_surface_flags,

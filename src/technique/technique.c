@@ -5,6 +5,7 @@
 static const struct technique *const techniques[] = {
 	&technique_smoothie,
 	&technique_smoothie_two_sided,
+	&technique_penumbra_map,
 	&technique_hard,
 	&technique_pcf,
 };

@@ -28,6 +28,7 @@ static const struct {
 	{FLAG_WIDEN, "WIDEN"},
 	{FLAG_STORED, "STORED"},
 	{FLAG_TWO_SIDED, "TWO_SIDED"},
+	{FLAG_CONE, "CONE"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -95,8 +96,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_COPY], 1);
 	/* Fewer bits than 8, as many, or more; as stored, or decoded and encoded again. */
 	assert_int_equal(counts[PROGRAM_SCREEN], 3 * 2);
-	/* With and without a receiver map: linear, sinusoid, depth only. */
-	assert_int_equal(counts[PROGRAM_FIN], 6);
+	/* With and without a receiver map: linear or sinusoid, of cones or not; depth only. */
+	assert_int_equal(counts[PROGRAM_FIN], 2 * (2 * 2 + 1));
 	assert_int_equal(counts[PROGRAM_TWO_SIDED_FIN], 2);
 	const size_t shadows = 1 + /* hard */
 			       4 + /* smoothies with or without their own depth and gathering */

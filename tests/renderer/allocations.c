@@ -69,6 +69,7 @@ static void the_same_frame_allocates_nothing(void **state)
 		{{.technique = "smoothie"}, GL_SRGB8_ALPHA8, SM_NONE},
 		{{.technique = "smoothie", .passes = 2}, GL_RGBA8, SM_NONE},
 		{{.technique = "smoothie-two-sided"}, GL_RGBA8, SM_NONE},
+		{{.technique = "penumbra-map"}, GL_RGBA8, SM_NONE},
 		{{.technique = "smoothie", .falloff = SM_FALLOFF_SINUSOID}, GL_RGBA8, 1},
 	};
 	set_up(rig->scene);

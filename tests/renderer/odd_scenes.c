@@ -47,6 +47,7 @@ static void draw_all_ways(struct rig *rig, const struct sm_camera *camera)
 		{.technique = "smoothie", .width = 0.1f, .falloff = SM_FALLOFF_SINUSOID},
 		{.technique = "smoothie", .passes = 2},
 		{.technique = "smoothie-two-sided"},
+		{.technique = "penumbra-map"},
 	};
 	for (size_t i = 0; i < sizeof(ways) / sizeof(ways[0]); i++) {
 		struct visibility seen;

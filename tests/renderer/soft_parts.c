@@ -57,6 +57,12 @@ static void bind_two_sided(const void *state, struct gpu *gpu, const struct ligh
 	bind_comparing(&technique_smoothie_two_sided, state, gpu, frame, program);
 }
 
+static void bind_penumbra_map(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	bind_comparing(&technique_penumbra_map, state, gpu, frame, program);
+}
+
 static const struct way {
 	const struct technique *technique;
 	size_t pixels_a_plain; /* at least one in so many is drawn by the shadow map alone */
@@ -66,6 +72,7 @@ static const struct way {
 	{&technique_smoothie, 25, bind_smoothie},
 	{&technique_pcf, 25, bind_pcf},
 	{&technique_smoothie_two_sided, 300, bind_two_sided},
+	{&technique_penumbra_map, 50, bind_penumbra_map},
 };
 #define WAYS (sizeof(ways) / sizeof(ways[0]))
 

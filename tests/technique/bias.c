@@ -11,7 +11,8 @@
 #define SIZE 96
 #define DEGREE 0.017453292519943295
 
-static const char *const techniques[] = {"hard", "pcf", "smoothie", "smoothie-two-sided"};
+static const char *const techniques[] = {
+	"hard", "pcf", "smoothie", "smoothie-two-sided", "penumbra-map"};
 static const uint32_t map_sizes[] = {64, 128, 256, 512, 1024};
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))

@@ -109,7 +109,7 @@ static void two_passes_and_one_agree(void **state)
 
 static void a_point_light_gives_a_filtered_map(void **state)
 {
-	static const char *const techniques[] = {"smoothie", "smoothie-two-sided"};
+	static const char *const techniques[] = {"smoothie", "smoothie-two-sided", "penumbra-map"};
 	for (size_t i = 0; i < COUNT(gallery_lights) * COUNT(techniques); i++) {
 		const struct sm_light_desc *light = &gallery_lights[i % COUNT(gallery_lights)];
 		struct gallery gallery;

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TECHNIQUE_SMOOTHIE_STATE_H
+#define TECHNIQUE_SMOOTHIE_STATE_H
+
+#include "technique/depth_map.h"
+#include "technique/fin_stream.h"
+
+/** Chan & Durand 2003. The smoothie buffer holds linear depth and alpha'. Minimum is what both are
+ *  reduced by, nearest depth and darkest alpha, so that one MIN-blended pass fills it; with
+ *  options.passes = 2 it is filled as in the paper, by a depth-tested pass and a MIN-blended one.
+ */
+struct smoothie {
+	struct depth_map casters;
+	struct depth_map receivers; /* of objects that only receive: made when there are any */
+	struct target buffer;
+	struct target depth; /* with two passes */
+	GLuint falloff;      /* table of the sinusoid */
+	struct fin_stream fins;
+	struct fin_shape shape;
+	bool two_passes;
+	uint32_t fin_flags, surface_flags;
+};
+
+/** For a zeroed one. fin_flags: of PROGRAM_FIN, beside those that options ask for. */
+bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
+	const struct sm_shadow_options *options, const struct fin_shape *shape, uint32_t fin_flags,
+	struct sm_error *error);
+
+/* The functions of a technique whose state is a struct smoothie. */
+void smoothie_finish(void *state, struct gpu *gpu);
+bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error);
+uint32_t smoothie_surface_flags(const void *state);
+const struct screen_grid *smoothie_soft_grid(const void *state);
+size_t smoothie_geometry_bytes(const void *state);
+void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program);
+
+#endif
