@@ -40,8 +40,9 @@ float texel_visibility(ivec2 texel, vec2 from, receiver r, float lit)
 	if (inside && r.depth - r.slope * (off + FIN_REACH) - b > SAME_SURFACE * (beside - b))
 		return lit;
 	float outward = dot(offset, offset + from) / max(off, 1e-6);
-	// depth >= before > b
-	float s = (inside ? -outward : outward) / (spread * (r.depth - b));
+	// depth >= before > b, but a light may be as good as a point.
+	float half_width = max(spread * (r.depth - b), 1e-6);
+	float s = (inside ? -outward : outward) / half_width;
 	return disc_area(clamp(s, -1.0, 1.0));
 }
 

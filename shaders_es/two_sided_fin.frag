@@ -22,6 +22,9 @@ const float APRON = 1.5;
 // Rounding of depths, as in shadow_receiver.glsl.
 const float DEPTH_STEP = 8.0 / 16777216.0;
 
+// The largest 16-bit float.
+const float MOST_HALF = 65504.0;
+
 float surface_depth(ivec2 texel)
 {
 	texel = clamp(texel, ivec2(0), textureSize(depth_map, 0) - 1);
@@ -57,6 +60,7 @@ void main()
 	float full = spread * max(r - b, 0.0) + APRON; // > 0
 	if (from >= full || (!inside && r <= b))
 		discard;
-	fin = uvec4(packHalf2x16(offset), floatBitsToUint(inside ? -b : b), floatBitsToUint(r), 0u);
+	fin = uvec4(packHalf2x16(clamp(offset, -MOST_HALF, MOST_HALF)),
+		floatBitsToUint(inside ? -b : b), floatBitsToUint(r), 0u);
 	gl_FragDepth = from / full;
 }

@@ -85,10 +85,15 @@ bool covers(const struct fin_vertex quad[4], const float p[2])
 
 float alpha_at(const struct fins *fins, const float p[2])
 {
+	return alpha_on_side(fins, 1.0f, p);
+}
+
+float alpha_on_side(const struct fins *fins, float side, const float p[2])
+{
 	float alpha = 1.0f;
 	for (size_t i = 0; i < fins->count; i += 4) {
 		const struct fin_vertex *quad = &fins->vertices[i];
-		if (!covers(quad, p))
+		if (quad[0].width * side <= 0.0f || !covers(quad, p))
 			continue;
 		/* Offsets are all "vertex minus silhouette", so that in quads of constant width the
 		 * offset at p follows from any two edges of the quad, as on the GPU. */
@@ -103,7 +108,7 @@ float alpha_at(const struct fins *fins, const float p[2])
 		for (int c = 0; c < 2; c++)
 			d[c] = quad[0].offset[c] + s * (quad[1].offset[c] - quad[0].offset[c]) +
 			       t * (quad[3].offset[c] - quad[0].offset[c]);
-		alpha = fminf(alpha, hypotf(d[0], d[1]) / quad[0].width);
+		alpha = fminf(alpha, hypotf(d[0], d[1]) / fabsf(quad[0].width));
 	}
 	return alpha;
 }

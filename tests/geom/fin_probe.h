@@ -35,7 +35,10 @@ void assert_vertex(
 /** Twice the area of triangle a, b, p; positive when p is on the left of a -> b. */
 float side(const float a[2], const float b[2], const float p[2]);
 bool covers(const struct fin_vertex quad[4], const float p[2]);
-/** Of the point, over all quads, as blending with MIN leaves it; 1 where there are none. */
+/** Of the point, over all quads outside (side 1) or inside (-1) of the silhouette, as blending with
+ *  MIN leaves it; 1 where there are none. */
+float alpha_on_side(const struct fins *fins, float side, const float p[2]);
+/** Outside. */
 float alpha_at(const struct fins *fins, const float p[2]);
 /** Distance of p from the segments of the silhouette, as a share of the width; 1 beyond it. */
 float distance_at(const float (*positions)[3], const struct silhouette_edge *edges,

@@ -76,44 +76,88 @@ static void no_width_no_fin(void **state)
 	}
 }
 
-/* Blockers with corners of all angles: outside, alpha is the distance from the silhouette. */
-static void alpha_is_the_distance_outside_a_polygon(void **state)
+struct polygon {
+	size_t corners;
+	float positions[12][3];
+	struct silhouette_edge edges[12];
+};
+
+/* Anticlockwise around the origin; every other corner of a star is nearer to it. */
+static struct polygon polygon_of(size_t corners, bool star)
+{
+	struct polygon polygon = {.corners = corners};
+	for (size_t i = 0; i < corners; i++) {
+		float angle = 6.2831853f * (float)i / (float)corners;
+		float radius = star && i % 2 ? 0.25f : 0.5f;
+		polygon.positions[i][0] = radius * cosf(angle);
+		polygon.positions[i][1] = radius * sinf(angle);
+		polygon.edges[i] =
+			(struct silhouette_edge){(uint32_t)i, (uint32_t)((i + 1) % corners)};
+	}
+	return polygon;
+}
+
+static bool inside_polygon(const struct polygon *polygon, const float p[2])
+{
+	float winding = 0.0f;
+	for (size_t e = 0; e < polygon->corners; e++) {
+		const float *a = polygon->positions[polygon->edges[e].a];
+		const float *b = polygon->positions[polygon->edges[e].b];
+		winding += atan2f(side(p, a, b),
+			(a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]));
+	}
+	return fabsf(winding) >= 3.0f;
+}
+
+static void check_polygon(const struct polygon *polygon, const struct fin_params *params)
+{
+	struct fins fins =
+		build_positions(polygon->positions, 12, polygon->edges, polygon->corners, params);
+	uint64_t random = 3;
+	for (int i = 0; i < 2000; i++) {
+		float p[2] = {random_signed(&random), random_signed(&random)};
+		bool inside = inside_polygon(polygon, p);
+		if (inside && !params->both_sides)
+			continue;
+		float expected =
+			distance_at(polygon->positions, polygon->edges, polygon->corners, 0.1f, p);
+		float alpha = alpha_on_side(&fins, inside ? -1.0f : 1.0f, p);
+		assert_true(fabsf(alpha - expected) < 1e-4f);
+	}
+	free(fins.vertices);
+}
+
+/* Blockers with corners of all angles: alpha is the distance from the silhouette. */
+static void alpha_is_the_distance_from_a_polygon(void **state)
 {
 	(void)state;
-	for (int corners = 3; corners <= 12; corners++) {
-		for (int star = 0; star < 2; star++) {
-			float positions[12][3] = {{0}};
-			struct silhouette_edge edges[12];
-			for (int i = 0; i < corners; i++) {
-				float angle = 6.2831853f * (float)i / (float)corners;
-				float radius = star && i % 2 ? 0.25f : 0.5f;
-				positions[i][0] = radius * cosf(angle);
-				positions[i][1] = radius * sinf(angle);
-				edges[i] = (struct silhouette_edge){
-					(uint32_t)i, (uint32_t)((i + 1) % corners)};
-			}
-			struct fin_params params = params_of(identity);
-			struct fins fins =
-				build_positions(positions, 12, edges, (size_t)corners, &params);
-			uint64_t random = 3;
-			for (int i = 0; i < 2000; i++) {
-				float p[2] = {random_signed(&random), random_signed(&random)};
-				float winding = 0.0f;
-				for (int e = 0; e < corners; e++) {
-					const float *a = positions[edges[e].a];
-					const float *b = positions[edges[e].b];
-					winding += atan2f(side(p, a, b),
-						(a[0] - p[0]) * (b[0] - p[0]) +
-							(a[1] - p[1]) * (b[1] - p[1]));
-				}
-				float expected =
-					distance_at(positions, edges, (size_t)corners, 0.1f, p);
-				if (fabsf(winding) < 3.0f)
-					assert_true(fabsf(alpha_at(&fins, p) - expected) < 1e-4f);
-			}
-			free(fins.vertices);
-		}
+	struct fin_params params = params_of(identity);
+	for (size_t i = 0; i < 40; i++) {
+		struct polygon polygon = polygon_of(3 + i / 4, i % 2);
+		params.both_sides = i % 4 >= 2;
+		check_polygon(&polygon, &params);
 	}
+}
+
+static void an_apron_widens_what_is_drawn_alone(void **state)
+{
+	(void)state;
+	const float positions[2][3] = {{-0.5f, 0, 0.25f}, {0.5f, 0, -0.25f}};
+	const struct silhouette_edge edge = {0, 1};
+	struct fin_params params = params_of(identity);
+	params.apron = 0.05f;
+	params.both_sides = true;
+	struct fins fins = build_positions(positions, 2, &edge, 1, &params);
+	assert_int_equal(fins.count, 8);
+	for (int quad = 0; quad < 2; quad++) {
+		const struct fin_vertex *v = &fins.vertices[4 * quad];
+		float width = quad == 0 ? 0.1f : -0.1f, y = quad == 0 ? -0.15f : 0.15f;
+		assert_vertex(&v[0], (float[]){-0.5f, 0, 0.25f}, (float[]){0, 0}, width);
+		assert_vertex(&v[1], (float[]){0.5f, 0, -0.25f}, (float[]){0, 0}, width);
+		assert_vertex(&v[2], (float[]){0.5f, y, -0.25f}, (float[]){0, y}, width);
+		assert_vertex(&v[3], (float[]){-0.5f, y, 0.25f}, (float[]){0, y}, width);
+	}
+	free(fins.vertices);
 }
 
 /* Seen in a mirror, the same polygon has the same fins, mirrored. */
@@ -314,6 +358,7 @@ static void everything_written_is_finite(void **state)
 		struct fin_params params = {
 			.width = (enum fin_width)(random_next(&random) % 3),
 			.scale = extreme[random_next(&random) % extremes],
+			.both_sides = round % 3 == 0,
 			.mirrored = random_next(&random) % 2,
 		};
 		/* Extreme values are rare enough that most rounds leave something to see. */
@@ -338,7 +383,7 @@ static void everything_written_is_finite(void **state)
 				assert_true(isfinite(v->position[c]));
 			assert_true(fabsf(v->position[2]) <= 1.0f);
 			assert_true(isfinite(v->offset[0]) && isfinite(v->offset[1]));
-			assert_true(isfinite(v->width) && v->width >= 0.0f);
+			assert_true(isfinite(v->width) && (v->width >= 0.0f || params.both_sides));
 		}
 		free(fins.vertices);
 	}
@@ -430,7 +475,8 @@ int main(void)
 		cmocka_unit_test(an_edge_becomes_a_quad_on_its_right),
 		cmocka_unit_test(widths_follow_their_law),
 		cmocka_unit_test(no_width_no_fin),
-		cmocka_unit_test(alpha_is_the_distance_outside_a_polygon),
+		cmocka_unit_test(alpha_is_the_distance_from_a_polygon),
+		cmocka_unit_test(an_apron_widens_what_is_drawn_alone),
 		cmocka_unit_test(corners_swap_when_mirrored),
 		cmocka_unit_test(only_convex_corners_are_filled),
 		cmocka_unit_test(a_full_turn_gets_half_a_disc),
