@@ -10,15 +10,13 @@ uniform sampler2D depth_map;
 uniform sampler2D receiver_map; // what receives and does not cast
 #endif
 uniform float spread; // half-width of a penumbra, texels, over the difference in window depth
+uniform float apron;  // texels that are drawn beyond it
 
 layout(location = 0) out uvec4 fin;
 
 // A surface beside the silhouette is looked for this many texels off it: beyond the texels that the
 // blocker may have in part.
 const float BESIDE = 0.75;
-// Drawn beyond the penumbra, so that each texel that a surface in it looks up knows the edge; as
-// FIN_APRON.
-const float APRON = 1.5;
 // Rounding of depths, as in shadow_receiver.glsl.
 const float DEPTH_STEP = 8.0 / 16777216.0;
 
@@ -57,7 +55,7 @@ void main()
 		discard;
 	if (!inside)
 		r = surface_depth(ivec2(gl_FragCoord.xy));
-	float full = spread * max(r - b, 0.0) + APRON; // > 0
+	float full = spread * max(r - b, 0.0) + apron; // > 0
 	if (from >= full || (!inside && r <= b))
 		discard;
 	fin = uvec4(packHalf2x16(clamp(offset, -MOST_HALF, MOST_HALF)),

@@ -12,7 +12,7 @@
 	X(light_is_point) X(light_color) X(light_reach) X(light_cone) \
 	X(screen_w) X(screen_scale) X(screen_depth) X(map_size) X(lookup_reach) X(bias_limit) \
 	X(depth_compare) X(depth_map) X(receiver_map) X(smoothie_map) X(smoothie_depth) \
-	X(fin_map) X(spread) \
+	X(fin_map) X(spread) X(apron) \
 	X(falloff) X(near_to_far) X(pole) X(quarter_turns) X(screen_max)
 /* clang-format on */
 

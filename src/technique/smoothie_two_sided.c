@@ -15,11 +15,8 @@ struct two_sided {
 	uint32_t surface_flags;
 };
 
-/* Half a texel more than what a surface's four texels may be off it. As APRON in
- * two_sided_fin.frag. */
-#define FIN_APRON 1.5f
-
-static const struct fin_shape fin_shape = {.share = 1.0f, .apron = FIN_APRON, .both_sides = true};
+/* Each texel that a surface in the penumbra looks up, up to 1.42 texels off, is to know the edge. */
+static const struct fin_shape fin_shape = {.share = 1.0f, .apron = 1.5f, .both_sides = true};
 
 static bool two_sided_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
 	struct sm_error *error)
@@ -71,6 +68,7 @@ static bool draw_fins(struct two_sided *two_sided, struct gpu *gpu, const struct
 		return false;
 	gl->Uniform1f(
 		program->uniform.spread, fin_stream_spread(frame, two_sided->casters.target.size));
+	gl->Uniform1f(program->uniform.apron, fin_shape.apron);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	target_restrict(target_inside(&two_sided->buffer), gl);
