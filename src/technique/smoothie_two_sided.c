@@ -15,7 +15,7 @@ struct two_sided {
 	uint32_t surface_flags;
 };
 
-/* Each texel that a surface in the penumbra looks up, up to 1.42 texels off, is to know the edge. */
+/* Each texel that a surface in the penumbra looks up, 1.42 texels off at most, knows the edge. */
 static const struct fin_shape fin_shape = {.share = 1.0f, .apron = 1.5f, .both_sides = true};
 
 static bool two_sided_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
