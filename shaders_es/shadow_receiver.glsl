@@ -20,20 +20,33 @@ vec3 on_screen(vec3 p)
 	return vec3(p.xy * (screen_scale * inverse) + 0.5, depth);
 }
 
-// The depth to compare at texels up to `reach` (window x or y) from s: in front of all that the receiver's own
-// plane, through this pixel and its neighbours, may have left there (receiver plane depth bias,
-// Isidoro 2006). One depth for all of them: following the plane from texel to texel would be nearer
-// to a flat receiver, but takes the next facet of a curved one for a blocker.
-float receiver_depth(vec3 s, float reach)
+// How window depth grows along window x and y on the receiver's own plane, through this pixel and
+// its neighbours (receiver plane depth bias, Isidoro 2006). A plane that the light sees edge on has
+// no area on its screen: what counts is the limit, for the sum of both.
+vec2 receiver_slope(vec3 s)
 {
 	vec3 dx = dFdx(s);
 	vec3 dy = dFdy(s);
-	float area = abs(dx.x * dy.y - dx.y * dy.x);
-	vec2 slope = abs(vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z));
-	float rise = (slope.x + slope.y) * reach;
-	// A plane that the light sees edge on has no area there: the limit is what counts.
-	float bias = min(rise / max(area, 1e-30), bias_limit.x + bias_limit.y * s.z);
-	return clamp(s.z - DEPTH_STEP - bias, 0.0, 1.0);
+	float area = dx.x * dy.y - dx.y * dy.x;
+	vec2 slope = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z);
+	slope = area < 0.0 ? -slope : slope;
+	float limit = (bias_limit.x + bias_limit.y * s.z) * map_size.x;
+	float rise = abs(slope.x) + abs(slope.y);
+	return slope * min(1.0 / max(abs(area), 1e-30), limit / max(rise, 1e-30));
+}
+
+// The depth to compare at texels up to `reach` (window x or y) from s: in front of all that the
+// receiver's own plane may have left there. One depth for all of them: following the plane from
+// texel to texel would be nearer to a flat receiver, but takes the next facet of a curved one for a
+// blocker.
+float receiver_depth(vec3 s, vec2 slope, float reach)
+{
+	return clamp(s.z - DEPTH_STEP - (abs(slope.x) + abs(slope.y)) * reach, 0.0, 1.0);
+}
+
+float receiver_depth(vec3 s, float reach)
+{
+	return receiver_depth(s, receiver_slope(s), reach);
 }
 
 float receiver_depth(vec3 s)

@@ -19,6 +19,7 @@ static const struct {
 	EXTENSION(EXT_texture_filter_anisotropic),
 	EXTENSION(EXT_texture_sRGB_decode),
 	EXTENSION(KHR_debug),
+	EXTENSION(OES_texture_float_linear),
 #undef EXTENSION
 };
 
@@ -29,6 +30,13 @@ static const struct {
 static const struct color_format smoothie_formats[] = {
 	{"RG16F", GL_RG16F},
 	{"RGB10_A2", GL_RGB10_A2},
+};
+
+/* Best first. The square of a depth takes twice its digits: 16 bits tell no two depths apart that
+ * are nearer than a hundredth of the light's range. */
+static const struct color_format moment_formats[] = {
+	{"RG32F", GL_RG32F},
+	{"RG16F", GL_RG16F},
 };
 
 static void find_extensions(struct caps *caps, struct gl *gl)
@@ -43,21 +51,37 @@ static void find_extensions(struct caps *caps, struct gl *gl)
 	}
 }
 
-static bool find_smoothie_format(struct caps *caps, struct gl *gl, struct sm_error *error)
+/* The first of the formats that can be rendered to; NULL if none can. */
+static const struct color_format *find_format(
+	struct gl *gl, const struct color_format *formats, size_t count)
 {
-	for (size_t i = 0; i < sizeof(smoothie_formats) / sizeof(smoothie_formats[0]); i++) {
+	for (size_t i = 0; i < count; i++) {
 		struct target target;
-		bool complete = target_init(&target, gl, 1, smoothie_formats[i].internal_format,
-			GL_COLOR_ATTACHMENT0, NULL);
+		bool complete = target_init(
+			&target, gl, 1, formats[i].internal_format, GL_COLOR_ATTACHMENT0, NULL);
 		target_finish(&target, gl);
-		if (complete) {
-			caps->smoothie_format = smoothie_formats[i];
-			return true;
-		}
-		log_info("%s cannot be rendered to", smoothie_formats[i].name);
+		if (complete)
+			return &formats[i];
+		log_info("%s cannot be rendered to", formats[i].name);
 	}
-	return error_set(error, SM_ERROR_MACHINE, "%s renders to neither RG16F nor RGB10_A2",
-		caps->renderer);
+	return NULL;
+}
+
+#define FIND_FORMAT(gl, formats) find_format(gl, formats, sizeof(formats) / sizeof((formats)[0]))
+
+static bool find_formats(struct caps *caps, struct gl *gl, struct sm_error *error)
+{
+	const struct color_format *smoothie = FIND_FORMAT(gl, smoothie_formats);
+	const struct color_format *moments = FIND_FORMAT(gl, moment_formats);
+	if (smoothie == NULL)
+		return error_set(error, SM_ERROR_MACHINE,
+			"%s renders to neither RG16F nor RGB10_A2", caps->renderer);
+	caps->smoothie_format = *smoothie;
+	if (moments != NULL)
+		caps->moment_format = *moments;
+	caps->moments_filtered =
+		caps->OES_texture_float_linear || caps->moment_format.internal_format == GL_RG16F;
+	return true;
 }
 
 bool caps_init(struct caps *caps, struct gl *gl, struct sm_error *error)
@@ -79,7 +103,7 @@ bool caps_init(struct caps *caps, struct gl *gl, struct sm_error *error)
 	gl->GetIntegerv(GL_MAX_VIEWPORT_DIMS, caps->max_viewport);
 	gl->GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &caps->program_binary_formats);
 	find_extensions(caps, gl);
-	return find_smoothie_format(caps, gl, error);
+	return find_formats(caps, gl, error);
 }
 
 void caps_describe(const struct caps *caps, sm_fact fact, void *data)
@@ -102,6 +126,10 @@ void caps_describe(const struct caps *caps, sm_fact fact, void *data)
 	fact(data, "linear depth", "from the depth texture, by near and far");
 	snprintf(text, sizeof(text), "MIN blend in %s", caps->smoothie_format.name);
 	fact(data, "smoothie buffer", text);
+	if (caps->moment_format.name != NULL)
+		snprintf(text, sizeof(text), "%s, %s", caps->moment_format.name,
+			caps->moments_filtered ? "filtered" : "four fetches");
+	fact(data, "moments of depth", caps->moment_format.name != NULL ? text : "none: no vsm");
 	fact(data, "copy to a screen",
 		caps->EXT_texture_sRGB_decode ? "as stored" : "decoded and encoded again");
 	fact(data, "compiled programs",

@@ -23,8 +23,12 @@ struct caps {
 	bool EXT_texture_filter_anisotropic;
 	bool EXT_texture_sRGB_decode;
 	bool KHR_debug;
+	bool OES_texture_float_linear; /* RG32F can be filtered */
 	/** For the smoothie buffer: two channels, MIN-blended. */
 	struct color_format smoothie_format;
+	/** For the moments of depth: two channels of float. No name where there is none. */
+	struct color_format moment_format;
+	bool moments_filtered; /* by the sampler */
 };
 
 /** Reads version and extensions and probes the formats. Fails (MACHINE) below OpenGL ES 3.0. */

@@ -56,6 +56,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(ENABLE, Enable) \
 	X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
 	X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
+	X(FRAMEBUFFERTEXTURELAYER, FramebufferTextureLayer) \
 	X(FRONTFACE, FrontFace) \
 	X(GENBUFFERS, GenBuffers) \
 	X(GENERATEMIPMAP, GenerateMipmap) \
@@ -84,9 +85,11 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(TEXIMAGE2D, TexImage2D) \
 	X(TEXPARAMETERI, TexParameteri) \
 	X(TEXSTORAGE2D, TexStorage2D) \
+	X(TEXSTORAGE3D, TexStorage3D) \
 	X(UNIFORM1F, Uniform1f) \
 	X(UNIFORM1I, Uniform1i) \
 	X(UNIFORM2F, Uniform2f) \
+	X(UNIFORM2FV, Uniform2fv) \
 	X(UNIFORM3F, Uniform3f) \
 	X(UNIFORMMATRIX3FV, UniformMatrix3fv) \
 	X(UNIFORMMATRIX4FV, UniformMatrix4fv) \

@@ -114,6 +114,12 @@ void gpu_bind_texture(struct gpu *gpu, enum texture_unit unit, GLuint texture)
 	gpu->gl.BindTexture(GL_TEXTURE_2D, texture);
 }
 
+void gpu_bind_layers(struct gpu *gpu, enum texture_unit unit, GLuint texture)
+{
+	gpu->gl.ActiveTexture(GL_TEXTURE0 + unit);
+	gpu->gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
+}
+
 void gpu_fill_viewport(struct gpu *gpu, GLuint texture)
 {
 	gpu->gl.Disable(GL_BLEND);
@@ -140,6 +146,7 @@ void gpu_restore_state(struct gpu *gpu)
 	for (GLuint unit = 0; unit < UNIT_COUNT; unit++) {
 		gl->ActiveTexture(GL_TEXTURE0 + unit);
 		gl->BindTexture(GL_TEXTURE_2D, 0);
+		gl->BindTexture(GL_TEXTURE_2D_ARRAY, 0);
 		gl->BindSampler(unit, 0);
 	}
 	gl->ActiveTexture(GL_TEXTURE0);

@@ -44,6 +44,8 @@ void gpu_draw_caster(struct gpu *gpu, const struct gpu_mesh *mesh);
 bool gpu_draw_quads(struct gpu *gpu, size_t quad_count, struct sm_error *error);
 
 void gpu_bind_texture(struct gpu *gpu, enum texture_unit unit, GLuint texture);
+/** The same with an array. */
+void gpu_bind_layers(struct gpu *gpu, enum texture_unit unit, GLuint texture);
 
 /** Draws one triangle over the whole viewport, with the program in use (copy.vert) and `texture`
  *  as its base texture. */

@@ -92,6 +92,8 @@ static void set_samplers(struct gl *gl, const struct program *program)
 	gl->Uniform1i(program->uniform.smoothie_depth, UNIT_SMOOTHIE_DEPTH);
 	gl->Uniform1i(program->uniform.falloff, UNIT_FALLOFF);
 	gl->Uniform1i(program->uniform.fin_map, UNIT_FINS);
+	gl->Uniform1i(program->uniform.depth_layers, UNIT_DEPTH_LAYERS);
+	gl->Uniform1i(program->uniform.moment_map, UNIT_MOMENTS);
 }
 
 /* From the caller's store if it can be. */

@@ -13,7 +13,9 @@
 	X(screen_w) X(screen_scale) X(screen_depth) X(map_size) X(lookup_reach) X(bias_limit) \
 	X(depth_compare) X(depth_map) X(receiver_map) X(smoothie_map) X(smoothie_depth) \
 	X(fin_map) X(spread) X(apron) \
-	X(falloff) X(near_to_far) X(pole) X(quarter_turns) X(screen_max)
+	X(falloff) X(near_to_far) X(pole) X(quarter_turns) X(screen_max) \
+	X(disc_points) X(disc_count) X(disc_scale) X(depth_layers) \
+	X(moment_map) X(blur_radius) X(min_variance)
 /* clang-format on */
 
 /** A linked program and where its uniforms are: -1 (which GL ignores) for absent ones. */

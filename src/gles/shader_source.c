@@ -29,13 +29,23 @@ static const struct {
 	FLAG(STORED),
 	FLAG(TWO_SIDED),
 	FLAG(CONE),
+	FLAG(BICUBIC),
+	FLAG(PCSS),
+	FLAG(MAPS),
+	FLAG(VSM),
+	FLAG(FETCH),
+	FLAG(FROM_DEPTH),
 #undef FLAG
 };
 
 #define FLAG_COUNT (sizeof(flag_names) / sizeof(flag_names[0]))
 
 /* Each a way to make shadows. */
-#define SHADOW_FLAGS (FLAG_HARD | FLAG_SMOOTHIE | FLAG_TWO_SIDED)
+/* clang-format off */
+#define SHADOW_FLAGS \
+	(FLAG_HARD | FLAG_SMOOTHIE | FLAG_TWO_SIDED | \
+	FLAG_BICUBIC | FLAG_PCSS | FLAG_MAPS | FLAG_VSM)
+/* clang-format on */
 
 /* Those that look up four texels each. */
 #define TAP_FLAGS (FLAG_SMOOTHIE | FLAG_TWO_SIDED)
@@ -49,7 +59,7 @@ struct part {
 static const struct {
 	const char *name;
 	uint32_t flags; /* that mean something */
-	struct part parts[2][10];
+	struct part parts[2][16];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -66,6 +76,16 @@ static const struct {
 					{{"common_light_depth.glsl"}, {"smoothie_fin.frag"}},
 				},
 		},
+	[PROGRAM_BLUR] =
+		{
+			.name = "blur",
+			.flags = FLAG_FROM_DEPTH | FLAG_RECEIVER_MAP,
+			.parts =
+				{
+					{{"copy.vert"}},
+					{{"common_light_depth.glsl"}, {"vsm_blur.frag"}},
+				},
+		},
 	[PROGRAM_TWO_SIDED_FIN] =
 		{
 			.name = "two-sided-fin",
@@ -76,18 +96,24 @@ static const struct {
 		{
 			.name = "surface",
 			.flags = FLAG_LIT | FLAG_SHADOWED | SHADOW_FLAGS | FLAG_SEPARATE_DEPTH |
-				 FLAG_GATHER | FLAG_TEXTURED | FLAG_VISIBILITY | FLAG_ENCODE_SRGB,
+				 FLAG_GATHER | FLAG_FETCH | FLAG_TEXTURED | FLAG_VISIBILITY |
+				 FLAG_ENCODE_SRGB,
 			.parts =
 				{
 					{{"surface.vert"}},
 					{
 						{"common_srgb.glsl", FLAG_ENCODE_SRGB},
-						{"common_light_depth.glsl", FLAG_SMOOTHIE},
+						{"common_light_depth.glsl",
+							FLAG_SMOOTHIE | FLAG_VSM},
 						{"shadow_receiver.glsl", FLAG_SHADOWED},
 						{"shadow_hard.glsl", FLAG_HARD},
 						{"shadow_taps.glsl", TAP_FLAGS},
 						{"shadow_smoothie.glsl", FLAG_SMOOTHIE},
 						{"shadow_two_sided.glsl", FLAG_TWO_SIDED},
+						{"shadow_bicubic.glsl", FLAG_BICUBIC},
+						{"shadow_pcss.glsl", FLAG_PCSS},
+						{"shadow_maps.glsl", FLAG_MAPS},
+						{"shadow_vsm.glsl", FLAG_VSM},
 						{"surface.frag"},
 					},
 				},
@@ -131,8 +157,10 @@ bool program_key_is_valid(struct program_key key)
 	return count_bits(flags & SHADOW_FLAGS) == (flags & FLAG_SHADOWED ? 1 : 0) &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
-	       (!(flags & FLAG_GATHER) || flags & TAP_FLAGS) &&
+	       implies(flags, FLAG_FETCH, FLAG_VSM) &&
+	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | FLAG_BICUBIC)) &&
 	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB) &&
+	       (key.kind != PROGRAM_BLUR || implies(flags, FLAG_RECEIVER_MAP, FLAG_FROM_DEPTH)) &&
 	       excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID | FLAG_CONE) &&
 	       excludes(flags, FLAG_DITHER, FLAG_WIDEN);
 }

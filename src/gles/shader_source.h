@@ -15,6 +15,7 @@ extern const struct shader_file shader_files[];
 enum program_kind {
 	PROGRAM_DEPTH_MAP,
 	PROGRAM_FIN,
+	PROGRAM_BLUR,
 	PROGRAM_TWO_SIDED_FIN,
 	PROGRAM_SURFACE,
 	PROGRAM_COPY,
@@ -42,7 +43,13 @@ enum program_flag {
 	FLAG_STORED = 1 << 14,
 	FLAG_TWO_SIDED = 1 << 15,
 	FLAG_CONE = 1 << 16,
-	FLAG_END = 1 << 17,
+	FLAG_BICUBIC = 1 << 17,
+	FLAG_PCSS = 1 << 18,
+	FLAG_MAPS = 1 << 19,
+	FLAG_VSM = 1 << 20,
+	FLAG_FETCH = 1 << 21,
+	FLAG_FROM_DEPTH = 1 << 22,
+	FLAG_END = 1 << 23,
 };
 
 struct program_key {

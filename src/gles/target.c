@@ -26,42 +26,75 @@ uint64_t texture_bytes(GLenum internal_format, GLsizei width, GLsizei height, GL
 	return texel_bytes(internal_format) * (uint64_t)width * (uint64_t)height * (uint64_t)layers;
 }
 
-static void set_texture_parameters(struct gl *gl)
+static void set_texture_parameters(struct gl *gl, GLenum kind)
 {
-	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+	gl->TexParameteri(kind, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+	gl->TexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+	gl->TexParameteri(kind, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+	gl->TexParameteri(kind, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+/* Makes the target's texture of that kind, bound. */
+static void create_texture(struct target *target, struct gl *gl, GLenum kind)
+{
+	gl_take_error(gl);
+	target->texture = gl_create_texture(gl);
+	gl->ActiveTexture(GL_TEXTURE0);
+	gl->BindTexture(kind, target->texture);
+	set_texture_parameters(gl, kind);
+}
+
+static void create_framebuffer(struct target *target, struct gl *gl)
+{
+	target->framebuffer = gl_create_framebuffer(gl);
+	gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+	if (target->attachment == GL_DEPTH_ATTACHMENT) {
+		GLenum none = GL_NONE;
+		gl->DrawBuffers(1, &none);
+		gl->ReadBuffer(GL_NONE);
+	}
+}
+
+/* Whether all went well, and if so counts the bytes. */
+static bool check_target(struct target *target, struct gl *gl, uint64_t bytes, GLsizei layers,
+	struct sm_error *error)
+{
+	const char *problem = gl_take_error(gl);
+	if (problem == NULL &&
+		gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+		problem = "the driver cannot render to this format";
+	if (problem != NULL && layers > 1)
+		return error_set(error, SM_ERROR_MACHINE, "no %d textures of %dx%d texels: %s",
+			layers, target->size, target->size, problem);
+	if (problem != NULL)
+		return error_set(error, SM_ERROR_MACHINE, "no texture of %dx%d texels: %s",
+			target->size, target->size, problem);
+	target->bytes = bytes;
+	gl->target_bytes += bytes;
+	return true;
 }
 
 bool target_init(struct target *target, struct gl *gl, GLsizei size, GLenum internal_format,
 	GLenum attachment, struct sm_error *error)
 {
-	gl_take_error(gl);
-	*target = (struct target){.size = size};
-	target->texture = gl_create_texture(gl);
-	gl->ActiveTexture(GL_TEXTURE0);
-	gl->BindTexture(GL_TEXTURE_2D, target->texture);
+	*target = (struct target){.size = size, .attachment = attachment};
+	create_texture(target, gl, GL_TEXTURE_2D);
 	gl->TexStorage2D(GL_TEXTURE_2D, 1, internal_format, size, size);
-	set_texture_parameters(gl);
-	target->framebuffer = gl_create_framebuffer(gl);
-	gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+	create_framebuffer(target, gl);
 	gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, target->texture, 0);
-	if (attachment == GL_DEPTH_ATTACHMENT) {
-		GLenum none = GL_NONE;
-		gl->DrawBuffers(1, &none);
-		gl->ReadBuffer(GL_NONE);
-	}
-	const char *problem = gl_take_error(gl);
-	if (problem == NULL &&
-		gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-		problem = "the driver cannot render to this format";
-	if (problem != NULL)
-		return error_set(error, SM_ERROR_MACHINE, "no texture of %dx%d texels: %s", size,
-			size, problem);
-	target->bytes = texture_bytes(internal_format, size, size, 1);
-	gl->target_bytes += target->bytes;
-	return true;
+	return check_target(target, gl, texture_bytes(internal_format, size, size, 1), 1, error);
+}
+
+bool target_init_layers(struct target *target, struct gl *gl, GLsizei size, GLsizei layers,
+	GLenum internal_format, GLenum attachment, struct sm_error *error)
+{
+	*target = (struct target){.size = size, .attachment = attachment};
+	create_texture(target, gl, GL_TEXTURE_2D_ARRAY);
+	gl->TexStorage3D(GL_TEXTURE_2D_ARRAY, 1, internal_format, size, size, layers);
+	create_framebuffer(target, gl);
+	target_bind_layer(target, gl, 0);
+	return check_target(
+		target, gl, texture_bytes(internal_format, size, size, layers), layers, error);
 }
 
 void target_finish(struct target *target, struct gl *gl)
@@ -76,6 +109,12 @@ void target_bind(const struct target *target, struct gl *gl)
 {
 	gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
 	gl->Viewport(0, 0, target->size, target->size);
+}
+
+void target_bind_layer(const struct target *target, struct gl *gl, GLint layer)
+{
+	target_bind(target, gl);
+	gl->FramebufferTextureLayer(GL_FRAMEBUFFER, target->attachment, target->texture, 0, layer);
 }
 
 struct target_area target_inside(const struct target *target)

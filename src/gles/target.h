@@ -4,8 +4,9 @@
 
 #include "gles/gl.h"
 
-/** A square texture, and the framebuffer that draws into it alone. */
+/** A square texture, or layers of such, and the framebuffer that draws into it alone. */
 struct target {
+	GLenum attachment;
 	GLuint texture, framebuffer;
 	GLsizei size; /* texels a side */
 	uint64_t bytes;
@@ -19,11 +20,17 @@ uint64_t texture_bytes(GLenum internal_format, GLsizei width, GLsizei height, GL
  * (MACHINE) finish() is still to be called. */
 bool target_init(struct target *target, struct gl *gl, GLsizei size, GLenum internal_format,
 	GLenum attachment, struct sm_error *error);
+/** The same with an array of layers; the first of them is bound. */
+bool target_init_layers(struct target *target, struct gl *gl, GLsizei size, GLsizei layers,
+	GLenum internal_format, GLenum attachment, struct sm_error *error);
 /** Fine on a half-made or zeroed target. */
 void target_finish(struct target *target, struct gl *gl);
 
 /** Binds framebuffer and viewport. */
 void target_bind(const struct target *target, struct gl *gl);
+
+/** The same, of one that has layers. */
+void target_bind_layer(const struct target *target, struct gl *gl, GLint layer);
 
 /** Texels of a target: left, bottom, width, height. */
 struct target_area {

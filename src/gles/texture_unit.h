@@ -12,6 +12,8 @@ enum texture_unit {
 	UNIT_SMOOTHIE_DEPTH,
 	UNIT_FALLOFF,
 	UNIT_FINS,
+	UNIT_DEPTH_LAYERS, /* of an array; through a comparing sampler object */
+	UNIT_MOMENTS,
 	UNIT_COUNT,
 };
 

@@ -18,21 +18,26 @@ static const struct {
 	[DEPTH_MAP_LINEAR] = {GL_LINEAR, 1.05f},
 };
 
+GLuint depth_map_create_sampler(struct gl *gl, enum depth_map_filter filter)
+{
+	GLuint sampler = gl_create_sampler(gl);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, filters[filter].filter);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, filters[filter].filter);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+	return sampler;
+}
+
 bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
 	enum depth_map_filter filter, struct sm_error *error)
 {
-	struct gl *gl = &gpu->gl;
-	map->texels_around = filters[filter].texels_around;
-	if (!target_init(&map->target, gl, (GLsizei)size, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT,
-		    error))
+	map->filter = filter;
+	if (!target_init(&map->target, &gpu->gl, (GLsizei)size, GL_DEPTH_COMPONENT24,
+		    GL_DEPTH_ATTACHMENT, error))
 		return false;
-	map->compare = gl_create_sampler(gl);
-	gl->SamplerParameteri(map->compare, GL_TEXTURE_MIN_FILTER, filters[filter].filter);
-	gl->SamplerParameteri(map->compare, GL_TEXTURE_MAG_FILTER, filters[filter].filter);
-	gl->SamplerParameteri(map->compare, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-	gl->SamplerParameteri(map->compare, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-	gl->SamplerParameteri(map->compare, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-	gl->SamplerParameteri(map->compare, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+	map->compare = depth_map_create_sampler(&gpu->gl, filter);
 	return true;
 }
 
@@ -74,36 +79,31 @@ static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
 	gl->Disable(GL_CULL_FACE);
 }
 
-static bool draw_inside(struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, enum depth_map_content content, struct target_area area,
-	struct sm_error *error)
+bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
+	enum depth_map_content content, struct target_area area, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	struct program_key key = {.kind = PROGRAM_DEPTH_MAP};
+	bool farthest = content == DEPTH_OF_FARTHEST_RECEIVERS;
+	gl->DepthMask(GL_TRUE);
+	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){farthest ? 0.0f : 1.0f});
 	const struct program *program = program_use(&gpu->programs, gl, key, error);
 	if (program == NULL)
 		return false;
 	gl->Enable(GL_DEPTH_TEST);
-	gl->DepthFunc(GL_LESS);
+	gl->DepthFunc(farthest ? GL_GREATER : GL_LESS);
 	target_restrict(area, gl);
 	draw_casters(gpu, scene, frame, content, program);
 	gl->Disable(GL_SCISSOR_TEST);
 	return true;
 }
 
-static void clear(struct gl *gl)
-{
-	gl->DepthMask(GL_TRUE);
-	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
-}
-
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error)
 {
-	gl_push_group(&gpu->gl, "shadow map");
+	gl_push_group(&gpu->gl, content == DEPTH_OF_CASTERS ? "shadow map" : "receiver map");
 	target_bind(&map->target, &gpu->gl);
-	clear(&gpu->gl);
-	bool drawn = draw_inside(gpu, scene, frame, content, target_inside(&map->target), error);
+	bool drawn = depth_map_fill(gpu, scene, frame, content, target_inside(&map->target), error);
 	gl_pop_group(&gpu->gl);
 	return drawn;
 }
@@ -118,8 +118,7 @@ bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const stru
 	gl_push_group(&gpu->gl, "receiver map");
 	target_bind(&map->target, &gpu->gl);
 	target_restrict(area, &gpu->gl);
-	clear(&gpu->gl);
-	bool drawn = draw_inside(gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, area, error);
+	bool drawn = depth_map_fill(gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, area, error);
 	gl_pop_group(&gpu->gl);
 	return drawn;
 }
@@ -145,10 +144,10 @@ static void set_screen(
 
 /* The greatest bias at window depth d is x + y d: SLOPE_MAX times the width of a texel there. For
  * a spot the width grows with the distance, and window depth flattens with its square. */
-static void set_bias_limit(const struct depth_map *map, struct gpu *gpu,
-	const struct light_frame *frame, const struct program *program)
+static void set_bias_limit(
+	struct gpu *gpu, float size, const struct light_frame *frame, const struct program *program)
 {
-	float limit = SLOPE_MAX * 2.0f * frame->half_extent / (float)map->target.size;
+	float limit = SLOPE_MAX * 2.0f * frame->half_extent / size;
 	if (frame->parallel)
 		gpu->gl.Uniform2f(
 			program->uniform.bias_limit, limit / (frame->far - frame->near), 0.0f);
@@ -156,14 +155,20 @@ static void set_bias_limit(const struct depth_map *map, struct gpu *gpu,
 		gpu->gl.Uniform2f(program->uniform.bias_limit, limit * frame->pole, -limit);
 }
 
+void depth_map_set_receiver(struct gpu *gpu, GLsizei texels, enum depth_map_filter filter,
+	const struct light_frame *frame, const struct program *program)
+{
+	float size = (float)texels;
+	gpu->gl.Uniform2f(program->uniform.map_size, size, 1.0f / size);
+	gpu->gl.Uniform1f(program->uniform.lookup_reach, filters[filter].texels_around / size);
+	set_screen(gpu, frame, program);
+	set_bias_limit(gpu, size, frame, program);
+}
+
 void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program)
 {
-	float size = (float)map->target.size;
 	gpu_bind_texture(gpu, UNIT_DEPTH_COMPARE, map->target.texture);
 	gpu->gl.BindSampler(UNIT_DEPTH_COMPARE, map->compare);
-	gpu->gl.Uniform2f(program->uniform.map_size, size, 1.0f / size);
-	gpu->gl.Uniform1f(program->uniform.lookup_reach, map->texels_around / size);
-	set_screen(gpu, frame, program);
-	set_bias_limit(map, gpu, frame, program);
+	depth_map_set_receiver(gpu, map->target.size, map->filter, frame, program);
 }

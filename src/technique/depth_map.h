@@ -5,22 +5,26 @@
 #include "gles/target.h"
 #include "technique/technique.h"
 
+/** At which texels the sampler compares. */
+enum depth_map_filter { DEPTH_MAP_NEAREST, DEPTH_MAP_LINEAR };
+
 /** A light's shadow map: a depth texture, read plainly or compared. */
 struct depth_map {
 	struct target target;
-	GLuint compare;      /* sampler: LEQUAL */
-	float texels_around; /* how far from a surface the texels it is compared at are centred */
+	GLuint compare; /* sampler: LEQUAL */
+	enum depth_map_filter filter;
 };
-
-/** At which texels the sampler compares. */
-enum depth_map_filter { DEPTH_MAP_NEAREST, DEPTH_MAP_LINEAR };
 
 bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
 	enum depth_map_filter filter, struct sm_error *error);
 void depth_map_finish(struct depth_map *map, struct gpu *gpu);
 
-/** Which objects a map holds. */
-enum depth_map_content { DEPTH_OF_CASTERS, DEPTH_OF_RECEIVERS_ONLY };
+/** Which objects a map holds: where there are none it is 1, or 0 where it holds the farthest. */
+enum depth_map_content {
+	DEPTH_OF_CASTERS,
+	DEPTH_OF_RECEIVERS_ONLY,
+	DEPTH_OF_FARTHEST_RECEIVERS, /* of those that do not cast */
+};
 
 /** True if the scene has objects of that kind. */
 bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content content);
@@ -38,5 +42,19 @@ bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const stru
 /** Binds the map for a surface program, and sets the uniforms of shadow_receiver.glsl. */
 void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program);
+
+/* The parts of the above, for maps of another make. */
+
+/** A sampler that compares, for the caller to delete. */
+GLuint depth_map_create_sampler(struct gl *gl, enum depth_map_filter filter);
+
+/** Clears the framebuffer that is bound, where nothing restricts that, and draws the objects into
+ *  an area of it, restricted no more after that. */
+bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
+	enum depth_map_content content, struct target_area area, struct sm_error *error);
+
+/** Sets the uniforms of shadow_receiver.glsl for maps of `texels` a side. */
+void depth_map_set_receiver(struct gpu *gpu, GLsizei texels, enum depth_map_filter filter,
+	const struct light_frame *frame, const struct program *program);
 
 #endif

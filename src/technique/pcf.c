@@ -1,15 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/depth_map.h"
 
-/* Reeves, Salesin & Cook 1987. */
+/* Reeves, Salesin & Cook 1987; over 4x4 texels the bicubic filter of Chan & Durand 2003, Figure
+ * 7. */
 struct pcf {
 	struct depth_map map;
+	uint32_t surface_flags;
 };
+
+#define BICUBIC_SAMPLES 16
 
 static bool pcf_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
 	struct sm_error *error)
 {
 	struct pcf *pcf = state;
+	bool bicubic = options->samples == BICUBIC_SAMPLES;
+	uint32_t gather = gpu->caps.texture_gather ? FLAG_GATHER : 0;
+	pcf->surface_flags = bicubic ? FLAG_BICUBIC | gather : FLAG_HARD;
 	return depth_map_init(&pcf->map, gpu, options->map_size, DEPTH_MAP_LINEAR, error);
 }
 
@@ -28,8 +35,16 @@ static bool pcf_prepare(void *state, struct gpu *gpu, const struct sm_scene *sce
 
 static uint32_t pcf_surface_flags(const void *state)
 {
-	(void)state;
-	return FLAG_HARD;
+	const struct pcf *pcf = state;
+	return pcf->surface_flags;
+}
+
+/* A texel more on each side. */
+static float pcf_reach(const void *state, const struct light_frame *frame)
+{
+	(void)frame;
+	const struct pcf *pcf = state;
+	return pcf->surface_flags & FLAG_BICUBIC ? 2.0f / (float)pcf->map.target.size : 0.0f;
 }
 
 static void pcf_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -37,15 +52,19 @@ static void pcf_bind(const void *state, struct gpu *gpu, const struct light_fram
 {
 	const struct pcf *pcf = state;
 	depth_map_bind(&pcf->map, gpu, frame, program);
+	gpu_bind_texture(gpu, UNIT_DEPTH, pcf->map.target.texture);
 }
 
 const struct technique technique_pcf = {
 	.name = "pcf",
-	.summary = "percentage-closer filtering: comparisons at the four nearest texels, blended",
+	.summary = "percentage-closer filtering: comparisons at the four nearest texels, blended, "
+		   "or bicubic over 16",
+	.samples = {4, BICUBIC_SAMPLES},
 	.state_size = sizeof(struct pcf),
 	.init = pcf_init,
 	.finish = pcf_finish,
 	.prepare = pcf_prepare,
 	.surface_flags = pcf_surface_flags,
+	.reach = pcf_reach,
 	.bind = pcf_bind,
 };

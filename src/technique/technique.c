@@ -8,6 +8,9 @@ static const struct technique *const techniques[] = {
 	&technique_penumbra_map,
 	&technique_hard,
 	&technique_pcf,
+	&technique_pcss,
+	&technique_vsm,
+	&technique_maps,
 };
 
 const struct technique *technique_at(size_t index)

@@ -29,6 +29,12 @@ static const struct {
 	{FLAG_STORED, "STORED"},
 	{FLAG_TWO_SIDED, "TWO_SIDED"},
 	{FLAG_CONE, "CONE"},
+	{FLAG_BICUBIC, "BICUBIC"},
+	{FLAG_PCSS, "PCSS"},
+	{FLAG_MAPS, "MAPS"},
+	{FLAG_VSM, "VSM"},
+	{FLAG_FETCH, "FETCH"},
+	{FLAG_FROM_DEPTH, "FROM_DEPTH"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -99,9 +105,15 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	/* With and without a receiver map: linear or sinusoid, of cones or not; depth only. */
 	assert_int_equal(counts[PROGRAM_FIN], 2 * (2 * 2 + 1));
 	assert_int_equal(counts[PROGRAM_TWO_SIDED_FIN], 2);
+	/* Across, with and without a receiver map, and up. */
+	assert_int_equal(counts[PROGRAM_BLUR], 3);
 	const size_t shadows = 1 + /* hard */
 			       4 + /* smoothies with or without their own depth and gathering */
-			       2;  /* two-sided smoothies with or without gathering */
+			       2 + /* two-sided smoothies with or without gathering */
+			       2 + /* bicubic, likewise */
+			       1 + /* pcss */
+			       1 + /* maps */
+			       2;  /* variance maps, filtered or fetched */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	assert_int_equal(counts[PROGRAM_SURFACE], (2 + shadows) * (1 + 2 * 2));
 }
@@ -144,6 +156,11 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SMOOTHIE},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SMOOTHIE},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_TWO_SIDED},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_BICUBIC | FLAG_PCSS},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_PCSS | FLAG_GATHER},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_VSM | FLAG_MAPS},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_MAPS | FLAG_FETCH},
+		{PROGRAM_BLUR, FLAG_RECEIVER_MAP}, /* of what is blurred already */
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_GATHER},
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_TEXTURED},

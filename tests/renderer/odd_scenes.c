@@ -48,6 +48,10 @@ static void draw_all_ways(struct rig *rig, const struct sm_camera *camera)
 		{.technique = "smoothie", .passes = 2},
 		{.technique = "smoothie-two-sided"},
 		{.technique = "penumbra-map"},
+		{.technique = "pcf", .samples = 16},
+		{.technique = "pcss", .samples = 32},
+		{.technique = "vsm"},
+		{.technique = "maps", .samples = 4},
 	};
 	for (size_t i = 0; i < sizeof(ways) / sizeof(ways[0]); i++) {
 		struct visibility seen;

@@ -24,6 +24,11 @@ static void good_options_are_taken(void **state)
 		{.technique = "smoothie", .width = 1e-6f, .falloff = SM_FALLOFF_SINUSOID},
 		{.falloff = SM_FALLOFF_LINEAR, .passes = 1},
 		{.map_size = 17, .passes = 2},
+		{.technique = "pcf", .samples = 4},
+		{.technique = "pcf", .samples = 16},
+		{.technique = "pcss", .samples = 32},
+		{.technique = "vsm", .samples = 9},
+		{.technique = "maps", .samples = 64, .map_size = 16},
 	};
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++)
 		rig_set_shadows(rig, &cases[i]);
@@ -50,6 +55,9 @@ static void bad_options_are_refused_with_a_reason(void **state)
 		{{.map_size = (uint32_t)most + 1}, limit},
 		{{.technique = "hard", .map_size = UINT32_MAX}, limit},
 		{{.passes = 3}, "3 smoothie passes"},
+		{{.technique = "hard", .samples = 4}, "shadow samples does nothing"},
+		{{.technique = "pcf", .samples = 5},
+			"5 shadow samples; with the technique \"pcf\" there are: 4, 16"},
 		{{.width = 2.0f}, "smoothie width of 2"},
 		{{.width = -0.1f}, "smoothie width of -0.1"},
 		{{.width = (float)NAN}, "smoothie width of nan"},

@@ -443,6 +443,76 @@ static size_t count_apart(const uint8_t *a, const uint8_t *b, int by)
 	return count;
 }
 
+static const struct sm_shadow_options far_reaching[] = {
+	{.technique = "pcss", .map_size = 256},
+	{.technique = "vsm", .samples = 9, .map_size = 64},
+	{.technique = "maps", .samples = 4, .map_size = 256},
+};
+
+static float no_reach(const void *state, const struct light_frame *frame)
+{
+	(void)state, (void)frame;
+	return 0.0f;
+}
+
+/* How many pixels of a picture in parts are not as they are in the whole one. Beside a spot's cone,
+ * where no light is, visibility has no meaning. */
+static size_t count_missed(struct rig *rig, const struct sm_camera *camera)
+{
+	rig->renderer->whole = true;
+	uint8_t *whole = draw_picture(rig, rig->scene, camera);
+	rig->renderer->whole = false;
+	uint8_t *parts = draw_picture(rig, rig->scene, camera);
+	size_t missed = count_apart(whole, parts, 0);
+	free(whole);
+	free(parts);
+	return missed;
+}
+
+/* Pixels that would be missed if the technique were thought to reach no farther than casters. */
+static size_t check_reach(struct rig *rig)
+{
+	const struct technique *technique = rig->renderer->shadows.technique;
+	struct technique near_sighted = *technique;
+	size_t beyond = 0;
+	near_sighted.reach = no_reach;
+	for (size_t i = 0; i < LIGHTS * VIEWS; i++) {
+		const struct sm_camera *camera = &views[i / LIGHTS].camera;
+		struct sm_light_desc light = lights[i % LIGHTS];
+		light.intensity = light.color[0] = light.color[1] = light.color[2] = 1.0f;
+		assert_true(sm_scene_set_light(rig->scene, 0, &light, NULL));
+		size_t missed = count_missed(rig, camera);
+		if (missed > 0)
+			fail_msg("%s, %s, seen from %s: %zu pixels", technique->name, light.name,
+				views[i / LIGHTS].name, missed);
+		rig->renderer->shadows.technique = &near_sighted;
+		beyond += count_missed(rig, camera);
+		rig->renderer->shadows.technique = technique;
+	}
+	return beyond;
+}
+
+/* Nowhere else is their shadow looked for. All that does not cast is one plane: variance maps take
+ * the nearer of several surfaces for a blocker, casting or not. */
+static void techniques_darken_no_farther_than_their_reach(void **state)
+{
+	skip_unless_blended(*state);
+	struct rig *rig = *state;
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){{20, 1, 20}, 0, {0, 0, 0}});
+	parts_add_object(rig->scene, parts_add_cube(rig->scene), PART_BOTH,
+		&(struct pose){{0.8f, 0.8f, 0.8f}, 30, {-1.5f, 0.9f, 0.5f}});
+	parts_add_object(rig->scene, add_ball(rig->scene), PART_BOTH,
+		&(struct pose){{1, 1, 1}, 0, {1.2f, 1.5f, 0}});
+	parts_add_light(rig->scene, &lights[0]);
+	for (size_t i = 0; i < sizeof(far_reaching) / sizeof(far_reaching[0]); i++) {
+		rig_set_shadows(rig, &far_reaching[i]);
+		size_t beyond = check_reach(rig);
+		print_message("%s: %zu pixels beyond casters\n", far_reaching[i].technique, beyond);
+		assert_true(beyond > 0);
+	}
+}
+
 /* With several samples a pixel that an edge crosses is shaded at its centre, which may lie outside
  * the triangle, where less may be drawn: a few such pixels, but no lines along the parts. */
 static void parts_of_many_lights_add_up_in_samples(void **state)
@@ -595,6 +665,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(parts_look_like_the_whole),
+		rig_test(techniques_darken_no_farther_than_their_reach),
 		rig_test(parts_look_like_the_whole_from_anywhere),
 		rig_test(parts_of_built_in_scenes_look_like_the_whole),
 		rig_test(parts_of_many_lights_add_up),

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TECHNIQUE_DISC_H
+#define TECHNIQUE_DISC_H
+
+#include "gles/gpu.h"
+#include "scene/light.h"
+
+/** As many as the shaders have room for. */
+#define DISC_POINTS_MAX 64
+
+/** Points spread evenly over the unit disc: the light, seen from a receiver. */
+struct disc {
+	float points[DISC_POINTS_MAX][2];
+	GLsizei count;
+};
+
+/** count: 1 to DISC_POINTS_MAX */
+void disc_init(struct disc *disc, uint32_t count);
+
+/** How far apart, window x or y, the ends of a ray from the middle of the light and of one from its
+ *  rim are on the light's screen, for each unit of window depth between them. */
+float disc_scale(const struct light_frame *frame);
+
+/** Sets disc_points, disc_count and disc_scale of a program that is in use. */
+void disc_bind(const struct disc *disc, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program);
+
+#endif

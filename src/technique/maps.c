@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+#include "technique/depth_map.h"
+#include "technique/disc.h"
+
+/* Heckbert & Herf 1997, Agrawala et al. 2000: in their plain form. The layers are many times a
+ * shadow map's memory. OpenGL ES 3.0 has at least 256 of them. */
+struct maps {
+	struct target layers;
+	GLuint compare; /* sampler: LEQUAL */
+	struct disc disc;
+};
+
+static bool maps_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+	struct sm_error *error)
+{
+	struct maps *maps = state;
+	disc_init(&maps->disc, options->samples);
+	if (!target_init_layers(&maps->layers, &gpu->gl, (GLsizei)options->map_size,
+		    maps->disc.count, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
+		return false;
+	maps->compare = depth_map_create_sampler(&gpu->gl, DEPTH_MAP_LINEAR);
+	return true;
+}
+
+static void maps_finish(void *state, struct gpu *gpu)
+{
+	struct maps *maps = state;
+	gl_delete_sampler(&gpu->gl, &maps->compare);
+	target_finish(&maps->layers, &gpu->gl);
+}
+
+/* The frame of a point of the light. Its screen's rectangle on the far plane is that of the light's
+ * middle, and its near and far planes are: a shear of clip space. */
+static struct light_frame frame_of_point(const struct light_frame *frame, const float point[2])
+{
+	struct light_frame sheared = *frame;
+	float scale = disc_scale(frame);
+	for (int column = 0; column < 4; column++) {
+		float *entries = sheared.world_to_clip[column];
+		float before_far = entries[3] - entries[2];
+		for (int axis = 0; axis < 2; axis++)
+			entries[axis] -= scale * point[axis] * before_far;
+	}
+	return sheared;
+}
+
+static bool maps_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	struct maps *maps = state;
+	bool drawn = true;
+	gl_push_group(&gpu->gl, "shadow maps");
+	for (GLsizei i = 0; i < maps->disc.count && drawn; i++) {
+		struct light_frame sheared = frame_of_point(frame, maps->disc.points[i]);
+		target_bind_layer(&maps->layers, &gpu->gl, i);
+		drawn = depth_map_fill(gpu, scene, &sheared, DEPTH_OF_CASTERS,
+			target_inside(&maps->layers), error);
+	}
+	gl_pop_group(&gpu->gl);
+	return drawn;
+}
+
+static uint32_t maps_surface_flags(const void *state)
+{
+	(void)state;
+	return FLAG_MAPS;
+}
+
+/* From the near plane to the far one. */
+static float maps_reach(const void *state, const struct light_frame *frame)
+{
+	(void)state;
+	return 2.0f * disc_scale(frame);
+}
+
+static void maps_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	const struct maps *maps = state;
+	gpu_bind_layers(gpu, UNIT_DEPTH_LAYERS, maps->layers.texture);
+	gpu->gl.BindSampler(UNIT_DEPTH_LAYERS, maps->compare);
+	depth_map_set_receiver(gpu, maps->layers.size, DEPTH_MAP_LINEAR, frame, program);
+	disc_bind(&maps->disc, gpu, frame, program);
+}
+
+const struct technique technique_maps = {
+	.name = "maps",
+	.summary = "shadow maps of many points of the light, averaged (Heckbert & Herf 1997)",
+	.samples = {16, 4, 64},
+	.state_size = sizeof(struct maps),
+	.init = maps_init,
+	.finish = maps_finish,
+	.prepare = maps_prepare,
+	.surface_flags = maps_surface_flags,
+	.reach = maps_reach,
+	.bind = maps_bind,
+};

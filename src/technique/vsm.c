@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT */
+#include "technique/depth_map.h"
+
+/* Donnelly & Lauritzen 2006. */
+struct vsm {
+	struct depth_map map;
+	struct depth_map receivers; /* of objects that only receive: made when there are any */
+	struct target rows;         /* blurred across */
+	struct target moments;      /* blurred both ways */
+	GLint blur_radius;          /* texels */
+	float min_variance;
+	uint32_t surface_flags;
+};
+
+/* Of depths in [-1/2, 1/2]: a variance below these may be none, for their squares' rounding. */
+#define MIN_VARIANCE_32F 1e-6f
+#define MIN_VARIANCE_16F 2e-4f
+
+static bool vsm_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+	struct sm_error *error)
+{
+	struct vsm *vsm = state;
+	struct gl *gl = &gpu->gl;
+	GLenum format = gpu->caps.moment_format.internal_format;
+	GLsizei size = (GLsizei)options->map_size;
+	if (gpu->caps.moment_format.name == NULL)
+		return error_set(error, SM_ERROR_MACHINE,
+			"the technique \"vsm\" needs a target of floats, RG32F or RG16F; %s has "
+			"neither",
+			gpu->caps.renderer);
+	vsm->blur_radius = (GLint)options->samples / 2;
+	vsm->min_variance = format == GL_RG32F ? MIN_VARIANCE_32F : MIN_VARIANCE_16F;
+	vsm->surface_flags = FLAG_VSM | (gpu->caps.moments_filtered ? 0 : FLAG_FETCH);
+	if (!depth_map_init(&vsm->map, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
+		!target_init(&vsm->rows, gl, size, format, GL_COLOR_ATTACHMENT0, error) ||
+		!target_init(&vsm->moments, gl, size, format, GL_COLOR_ATTACHMENT0, error))
+		return false;
+	if (gpu->caps.moments_filtered) {
+		gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+		gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+	}
+	return true;
+}
+
+static void vsm_finish(void *state, struct gpu *gpu)
+{
+	struct vsm *vsm = state;
+	target_finish(&vsm->moments, &gpu->gl);
+	target_finish(&vsm->rows, &gpu->gl);
+	depth_map_finish(&vsm->receivers, gpu);
+	depth_map_finish(&vsm->map, gpu);
+}
+
+static bool draw_receivers(struct vsm *vsm, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	if (vsm->receivers.target.texture == 0 &&
+		!depth_map_init(&vsm->receivers, gpu, (uint32_t)vsm->map.target.size,
+			DEPTH_MAP_NEAREST, error))
+		return false;
+	return depth_map_draw(
+		&vsm->receivers, gpu, scene, frame, DEPTH_OF_FARTHEST_RECEIVERS, error);
+}
+
+static bool blur(const struct vsm *vsm, struct gpu *gpu, const struct light_frame *frame,
+	const struct target *from, const struct target *to, uint32_t flags, struct sm_error *error)
+{
+	struct gl *gl = &gpu->gl;
+	struct program_key key = {.kind = PROGRAM_BLUR, .flags = flags};
+	const struct program *program = program_use(&gpu->programs, gl, key, error);
+	if (program == NULL)
+		return false;
+	gl->Uniform1i(program->uniform.blur_radius, vsm->blur_radius);
+	gl->Uniform1f(program->uniform.near_to_far, frame->near_to_far);
+	/* The far plane, for what lies beside the screen. */
+	static const GLfloat far_plane[4] = {0.5f, 0.25f, 0.0f, 1.0f};
+	target_bind(to, gl);
+	gl->ClearBufferfv(GL_COLOR, 0, far_plane);
+	target_restrict(target_inside(to), gl);
+	gpu_fill_viewport(gpu, from->texture);
+	gl->Disable(GL_SCISSOR_TEST);
+	return true;
+}
+
+static bool vsm_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	struct vsm *vsm = state;
+	if (!depth_map_draw(&vsm->map, gpu, scene, frame, DEPTH_OF_CASTERS, error))
+		return false;
+	uint32_t flags = FLAG_FROM_DEPTH;
+	if (depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
+		flags |= FLAG_RECEIVER_MAP;
+		if (!draw_receivers(vsm, gpu, scene, frame, error))
+			return false;
+	}
+	gl_push_group(&gpu->gl, "blur");
+	gpu_bind_texture(gpu, UNIT_RECEIVER, vsm->receivers.target.texture);
+	bool drawn = blur(vsm, gpu, frame, &vsm->map.target, &vsm->rows, flags, error) &&
+		     blur(vsm, gpu, frame, &vsm->rows, &vsm->moments, 0, error);
+	gl_pop_group(&gpu->gl);
+	return drawn;
+}
+
+static uint32_t vsm_surface_flags(const void *state)
+{
+	const struct vsm *vsm = state;
+	return vsm->surface_flags;
+}
+
+static float vsm_reach(const void *state, const struct light_frame *frame)
+{
+	(void)frame;
+	const struct vsm *vsm = state;
+	return 2.0f * (float)vsm->blur_radius / (float)vsm->moments.size;
+}
+
+static void vsm_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	const struct vsm *vsm = state;
+	depth_map_bind(&vsm->map, gpu, frame, program);
+	gpu_bind_texture(gpu, UNIT_MOMENTS, vsm->moments.texture);
+	gpu->gl.Uniform1f(program->uniform.near_to_far, frame->near_to_far);
+	gpu->gl.Uniform1f(program->uniform.min_variance, vsm->min_variance);
+}
+
+const struct technique technique_vsm = {
+	.name = "vsm",
+	.summary = "variance shadow maps, blurred over so many texels a side (Donnelly & Lauritzen "
+		   "2006)",
+	.samples = {5, 9},
+	.state_size = sizeof(struct vsm),
+	.init = vsm_init,
+	.finish = vsm_finish,
+	.prepare = vsm_prepare,
+	.surface_flags = vsm_surface_flags,
+	.reach = vsm_reach,
+	.bind = vsm_bind,
+};
