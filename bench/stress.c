@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* bench-stress [TECHNIQUE [SWEEP]]: runs the numerical stress. */
+/* bench-stress [TECHNIQUE [SWEEP [FOLDER]]]: runs the numerical stress. */
 #include "bench/stress.h"
 #include "platform.h"
 
@@ -11,6 +11,7 @@ int main(int argc, char **argv)
 		.get_proc = platform_get_proc,
 		.technique = argc > 1 && argv[1][0] != '\0' ? argv[1] : NULL,
 		.sweep = argc > 2 ? argv[2] : NULL,
+		.folder = argc > 3 ? argv[3] : NULL,
 		.effort = STRESS_QUICK,
 		.lines = stdout,
 	};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench/stress.h"
 #include "base/error.h"
+#include "bench/stress_file.h"
 #include <inttypes.h>
 #include <string.h>
 
@@ -11,12 +12,33 @@ struct run {
 	uint32_t done, total; /* of what progress is told */
 };
 
+/* "moved 1e+06, spot, pcf" gives "moved-1e+06-spot-pcf". */
+static void file_name(const char *place, char *name, size_t size)
+{
+	size_t used = 0;
+	for (const char *c = place; *c != '\0' && used + 1 < size; c++) {
+		if (*c == ',')
+			continue;
+		name[used++] = *c == ' ' ? '-' : *c;
+	}
+	name[used] = '\0';
+}
+
 static void print_fault(void *data, const char *place, const struct stress_scene *scene,
 	const struct stress_fault *fault)
 {
 	struct run *run = data;
-	(void)scene;
-	fprintf(run->options->lines, "FAILED %s: %s\n", place, fault->text);
+	const struct stress_options *options = run->options;
+	char name[200], path[1024];
+	struct sm_error error;
+	fprintf(options->lines, "FAILED %s: %s\n", place, fault->text);
+	if (options->folder == NULL)
+		return;
+	file_name(place, name, sizeof(name));
+	if (stress_file_write(scene, options->folder, name, path, sizeof(path), &error))
+		fprintf(options->lines, "  smoothie render --visibility --samples 1 \"%s\"\n", path);
+	else
+		fprintf(options->lines, "  %s\n", error.text);
 }
 
 static void step(struct run *run, uint32_t count)
