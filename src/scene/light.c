@@ -14,7 +14,19 @@ static void light_view(const struct sm_light_desc *light, mat4 view)
 	vec3 up = {0.0f, 1.0f, 0.0f};
 	if (fabsf(axis[1]) > 0.9f)
 		glm_vec3_copy((vec3){0.0f, 0.0f, 1.0f}, up);
-	glm_look((float *)light->position, axis, up, view);
+	vec3 side;
+	glm_vec3_crossn(axis, up, side);
+	glm_vec3_cross(side, axis, up);
+	/* glm_look() would add the axis to the position, and lose it where that is far away. */
+	glm_mat4_identity(view);
+	for (int column = 0; column < 3; column++) {
+		view[column][0] = side[column];
+		view[column][1] = up[column];
+		view[column][2] = -axis[column];
+	}
+	view[3][0] = -glm_vec3_dot(side, (float *)light->position);
+	view[3][1] = -glm_vec3_dot(up, (float *)light->position);
+	view[3][2] = glm_vec3_dot(axis, (float *)light->position);
 }
 
 /* Box of the casters, or of every object, in light space; false if there are none. */

@@ -249,6 +249,24 @@ static void the_origin_is_a_position_or_a_direction(void **state)
 	sm_scene_destroy(scene);
 }
 
+/* The axis comes of the difference of two places, which may be far from the origin. */
+static void the_axis_is_as_exact_anywhere(void **state)
+{
+	(void)state;
+	static const float axis[3] = {-0.6f, -0.8f, 0}, offsets[] = {0, 1e3f, 1e5f, 1e6f};
+	struct sm_scene *scene = tower(4);
+	for (size_t i = 0; i < sizeof(offsets) / sizeof(offsets[0]); i++) {
+		float at = offsets[i];
+		struct sm_light_desc light = light_at(SM_LIGHT_SPOT, at + 3, at + 4, at);
+		struct light_frame frame;
+		glm_vec3_broadcast(at, light.target);
+		light_frame_init(&frame, &light, scene);
+		for (int column = 0; column < 3; column++)
+			assert_float_equal(frame.world_to_light[column][2], axis[column], 1e-6f);
+	}
+	sm_scene_destroy(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -257,6 +275,7 @@ int main(void)
 		cmocka_unit_test(scenes_without_casters_or_objects_have_a_range_too),
 		cmocka_unit_test(window_depth_gives_linear_depth_and_the_share_of_the_penumbra),
 		cmocka_unit_test(the_origin_is_a_position_or_a_direction),
+		cmocka_unit_test(the_axis_is_as_exact_anywhere),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
