@@ -102,15 +102,18 @@ static bool check_view(const struct sm_renderer *renderer, const struct sm_scene
 	return true;
 }
 
-bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
+bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *given,
 	const struct sm_view *view, struct sm_error *error)
 {
 	struct gpu *gpu = &renderer->gpu;
 	struct gl *gl = &gpu->gl;
 	mat4 world_to_clip;
-	if (!check_view(renderer, scene, view, error) ||
-		!camera_world_to_clip(
-			&view->camera, scene, view->width, view->height, world_to_clip, error) ||
+	if (!check_view(renderer, given, view, error) ||
+		!local_scene_find(&renderer->local, given, &view->camera, error))
+		return false;
+	const struct sm_scene *scene = renderer->local.scene;
+	if (!camera_world_to_clip(&renderer->local.camera, scene, view->width, view->height,
+		    world_to_clip, error) ||
 		!gpu_scene_update(&gpu->scene, gl, scene, &gpu->stats.uploaded_bytes, error))
 		return false;
 	if (!draw_order_find(&renderer->order, scene, world_to_clip))

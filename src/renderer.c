@@ -26,6 +26,7 @@ void sm_renderer_destroy(struct sm_renderer *renderer)
 	shadow_set_finish(&renderer->shadows, &renderer->gpu);
 	accumulator_finish(&renderer->accumulator, &renderer->gpu.gl);
 	gpu_finish(&renderer->gpu);
+	local_scene_finish(&renderer->local);
 	draw_order_finish(&renderer->order);
 	free(renderer->lights);
 	free(renderer->needs);

@@ -3,6 +3,7 @@
 #define RENDERER_H
 
 #include "draw_order.h"
+#include "local_scene.h"
 #include "shadow_set.h"
 
 /** Where several lights are added up when the caller's framebuffer cannot do that in linear
@@ -23,6 +24,7 @@ struct sm_renderer {
 	struct shadow_set shadows;
 	struct accumulator accumulator;
 	/* Working memory, kept so that a frame like the last one allocates nothing. */
+	struct local_scene local;
 	struct draw_order order;
 	struct shadowed_light *lights; /* owned */
 	uint8_t *needs;                /* enum need of a mesh's clusters; owned */

@@ -107,7 +107,7 @@ bool sm_scene_add_image(struct sm_scene *scene, uint32_t width, uint32_t height,
 	return true;
 }
 
-static void object_update_bounds(const struct sm_scene *scene, struct object *object)
+void object_update_bounds(const struct sm_scene *scene, struct object *object)
 {
 	const struct mesh *mesh = &scene->meshes[object->mesh];
 	vec3 box[2];

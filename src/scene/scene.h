@@ -36,4 +36,7 @@ struct sm_scene {
 	struct sm_environment environment;
 };
 
+/** Sets min and max from mesh and transform. */
+void object_update_bounds(const struct sm_scene *scene, struct object *object);
+
 #endif
