@@ -196,9 +196,9 @@ static bool make_enclosed(struct stress_scene *scene, double value, struct sm_er
 	light->position[0] = (float)(.5 * value);
 	light->position[1] = 1.25f;
 	light->position[2] = 0;
-	light->angle = 170;
-	scene->objects[STRESS_FLOOR].scale[0] = scene->objects[STRESS_FLOOR].scale[2] = 50;
-	scene->camera.fov = 20;
+	light->angle = 120;
+	memcpy(scene->camera.target, (float[3]){-.5f, 0, 1}, sizeof(scene->camera.target));
+	scene->camera.fov = 10;
 	return true;
 }
 
