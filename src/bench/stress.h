@@ -2,6 +2,7 @@
 #ifndef BENCH_STRESS_H
 #define BENCH_STRESS_H
 
+#include "bench/stress_random.h"
 #include "bench/stress_sweep.h"
 #include <stdio.h>
 
@@ -16,6 +17,7 @@ struct stress_options {
 	uint64_t seed;
 	uint32_t random_scenes;
 	const char *folder; /* existing, for scenes that break a rule; NULL: none are written */
+	stress_rule rule;   /* further, of random scenes; NULL: none */
 	FILE *lines;
 	/** Of random scenes and sweeps; may be NULL. */
 	void (*progress)(void *data, uint32_t done, uint32_t total);

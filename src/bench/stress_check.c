@@ -35,8 +35,7 @@ struct outline {
 static bool outline_init(struct outline *outline, const struct caster *caster)
 {
 	outline->facing = array_alloc(facing_words(caster), sizeof(*outline->facing));
-	outline->edges =
-		array_alloc(edge_table_records(&caster->edges), sizeof(*outline->edges));
+	outline->edges = array_alloc(edge_table_records(&caster->edges), sizeof(*outline->edges));
 	outline->balance = array_zalloc(caster->vertex_count, sizeof(*outline->balance));
 	return outline->facing != NULL && outline->edges != NULL && outline->balance != NULL;
 }
@@ -52,7 +51,8 @@ static bool check_outline(
 	const struct caster *caster, const float light[4], struct stress_fault *fault)
 {
 	struct outline outline;
-	bool ok = outline_init(&outline, caster) || stress_fault_set(fault, "out of memory");
+	bool ok = outline_init(&outline, caster) ||
+		  stress_fault_set(fault, STRESS_FAULT_OTHER, "out of memory");
 	if (ok) {
 		size_t most = edge_table_records(&caster->edges);
 		facing_find(caster, light, outline.facing);
@@ -63,8 +63,9 @@ static bool check_outline(
 		}
 		for (size_t i = 0; i < caster->vertex_count && ok; i++)
 			if (outline.balance[i] != 0)
-				ok = stress_fault_set(fault,
-					"a silhouette is open: %d more edges start at vertex %zu than end",
+				ok = stress_fault_set(fault, STRESS_FAULT_SILHOUETTE,
+					"a silhouette is open: %d more edges start at vertex %zu "
+					"than end",
 					outline.balance[i], i);
 	}
 	outline_finish(&outline);
@@ -121,7 +122,8 @@ bool stress_check_scene(struct stress_probe *probe, const struct stress_scene *s
 		*seen = (struct stress_picture){0};
 	struct sm_scene *built = stress_scene_build(scene, &error);
 	if (built == NULL)
-		return stress_fault_set(fault, "it is refused: %s", error.text);
+		return stress_fault_set(
+			fault, STRESS_FAULT_REFUSED, "it is refused: %s", error.text);
 	const struct stress_subject subject = {
 		.scene = built,
 		.camera = scene->camera,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench/stress_file.h"
 #include "base/error.h"
+#include "load/stage.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -76,9 +77,8 @@ static void print_shadow(FILE *file, const struct sm_shadow_options *shadow)
 static void print_mesh(FILE *file, const struct stress_mesh *mesh)
 {
 	for (size_t i = 0; i < mesh->vertex_count; i++)
-		fprintf(file, "v " NUMBER " " NUMBER " " NUMBER "\n",
-			(double)mesh->positions[i][0], (double)mesh->positions[i][1],
-			(double)mesh->positions[i][2]);
+		fprintf(file, "v " NUMBER " " NUMBER " " NUMBER "\n", (double)mesh->positions[i][0],
+			(double)mesh->positions[i][1], (double)mesh->positions[i][2]);
 	for (size_t i = 0; i < mesh->index_count; i += 3)
 		fprintf(file, "f %u %u %u\n", mesh->indices[i] + 1, mesh->indices[i + 1] + 1,
 			mesh->indices[i + 2] + 1);
@@ -145,4 +145,68 @@ bool stress_file_write(const struct stress_scene *scene, const char *folder, con
 	print_shadow(file, &scene->shadow);
 	fprintf(file, "\n[output]\nsize = %ux%u\nsamples = 1\n", scene->width, scene->height);
 	return close_file(file, path, error) && write_meshes(scene, folder, name, error);
+}
+
+static bool in_range(const float *numbers, size_t count, float least, float most)
+{
+	for (size_t i = 0; i < count; i++)
+		if (!(numbers[i] >= least && numbers[i] <= most))
+			return false;
+	return true;
+}
+
+static bool can_say_object(const struct stress_object *object)
+{
+	return object->mesh.index_count > 0 && in_range(object->position, 3, -1e6f, 1e6f) &&
+	       in_range(object->rotation, 3, -3600, 3600) &&
+	       in_range(object->scale, 3, 1e-6f, 1e6f);
+}
+
+static bool can_say_light(const struct sm_light_desc *light)
+{
+	return in_range(light->position, 3, -1e6f, 1e6f) &&
+	       in_range(light->target, 3, -1e6f, 1e6f) && in_range(&light->radius, 1, 0, 1e6f) &&
+	       in_range(&light->angle, 1, 1, 170) && in_range(&light->softness, 1, 0, 1) &&
+	       in_range(&light->intensity, 1, 0, 1000);
+}
+
+static bool can_say_camera(const struct sm_camera *camera)
+{
+	bool automatic = camera->near == 0 && camera->far == 0;
+	return in_range(camera->eye, 3, -1e6f, 1e6f) && in_range(camera->target, 3, -1e6f, 1e6f) &&
+	       in_range(&camera->fov, 1, 1, 170) &&
+	       (automatic || (in_range(&camera->near, 1, 1e-6f, 1e6f) &&
+				     in_range(&camera->far, 1, camera->near, 1e6f)));
+}
+
+bool stress_file_can_say(const struct stress_scene *scene)
+{
+	bool can = scene->object_count > 0 && scene->light_count > 0 &&
+		   can_say_camera(&scene->camera) &&
+		   (scene->shadow.width == 0 || in_range(&scene->shadow.width, 1, 1e-4f, 1));
+	for (size_t i = 0; i < scene->object_count; i++)
+		can = can && can_say_object(&scene->objects[i]);
+	for (size_t i = 0; i < scene->light_count; i++)
+		can = can && can_say_light(&scene->lights[i]);
+	return can;
+}
+
+bool stress_file_check(const char *path, struct stress_probe *probe, struct stress_fault *fault,
+	struct sm_error *error)
+{
+	struct stage stage;
+	fault->text[0] = '\0';
+	bool loaded = stage_load(&stage, path, NULL, 0, error);
+	if (loaded) {
+		const struct stress_subject subject = {
+			.scene = stage.scene,
+			.camera = stage.camera,
+			.shadow = stage.shadow,
+			.width = stage.output.width,
+			.height = stage.output.height,
+		};
+		stress_check(probe, &subject, NULL, fault);
+	}
+	stage_finish(&stage);
+	return loaded;
 }

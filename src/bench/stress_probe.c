@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench/stress_probe.h"
 #include "base/array.h"
-#include "base/error.h"
 #include <GLES3/gl3.h>
 #include <math.h>
 #include <stdarg.h>
@@ -12,11 +11,13 @@
 /* Visibility before it is clamped may leave [0, 1] by this: sums of weights round. */
 #define RANGE_SLACK 1e-4f
 
-bool stress_fault_set(struct stress_fault *fault, const char *format, ...)
+bool stress_fault_set(
+	struct stress_fault *fault, enum stress_fault_kind kind, const char *format, ...)
 {
 	va_list args;
 	if (fault->text[0] != '\0')
 		return false;
+	fault->kind = kind;
 	va_start(args, format);
 	vsnprintf(fault->text, sizeof(fault->text), format, args);
 	va_end(args);
@@ -111,13 +112,13 @@ static void check_strip(struct stress_probe *probe, GLint y, GLint width, GLint 
 	size_t count = 4 * (size_t)width * (size_t)rows;
 	if (!array_reserve((void **)&probe->values, &probe->value_capacity, count,
 		    sizeof(*probe->values))) {
-		stress_fault_set(probe->fault, "out of memory");
+		stress_fault_set(probe->fault, STRESS_FAULT_OTHER, "out of memory");
 		return;
 	}
 	glReadPixels(0, y, width, rows, GL_RGBA, GL_FLOAT, probe->values);
 	for (size_t i = 0; i < count; i++)
 		if (!isfinite(probe->values[i])) {
-			stress_fault_set(probe->fault,
+			stress_fault_set(probe->fault, STRESS_FAULT_FLOAT,
 				"pass \"%s\" writes %g to channel %zu of target %u at %zu, %zu",
 				pass, (double)probe->values[i], i % 4,
 				attachment - GL_COLOR_ATTACHMENT0, i / 4 % (size_t)width,
@@ -129,8 +130,8 @@ static void check_strip(struct stress_probe *probe, GLint y, GLint width, GLint 
 static bool has_floats(GLenum attachment)
 {
 	GLint kind = GL_NONE, type = GL_NONE;
-	glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, attachment,
-		GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &kind);
+	glGetFramebufferAttachmentParameteriv(
+		GL_READ_FRAMEBUFFER, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &kind);
 	if (kind != GL_NONE)
 		glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, attachment,
 			GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
@@ -160,7 +161,8 @@ static void check_pass(void *data, const char *pass)
 		glReadBuffer((GLenum)read_buffer);
 	GLenum code = glGetError();
 	if (code != GL_NO_ERROR)
-		stress_fault_set(probe->fault, "after pass \"%s\": GL error 0x%04x", pass, code);
+		stress_fault_set(probe->fault, STRESS_FAULT_REFUSED,
+			"after pass \"%s\": GL error 0x%04x", pass, code);
 }
 
 static void ignore_pass(void *data, const char *pass)
@@ -184,8 +186,7 @@ bool stress_probe_init(struct stress_probe *probe, sm_get_proc get_proc, struct 
 	*probe = (struct stress_probe){.floats = has_extension("GL_EXT_color_buffer_float")};
 	real_get_proc = get_proc;
 	edits_missing = false;
-	probe->renderer =
-		sm_renderer_create(probe->floats ? edit_get_proc : get_proc, error);
+	probe->renderer = sm_renderer_create(probe->floats ? edit_get_proc : get_proc, error);
 	if (probe->renderer == NULL)
 		return false;
 	const struct sm_pass_observer observer = {
@@ -225,13 +226,13 @@ static bool framebuffer_resize(struct stress_framebuffer *target, uint32_t width
 	glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
 	for (int i = 0; i < 2; i++) {
 		glBindRenderbuffer(GL_RENDERBUFFER, target->buffers[i]);
-		glRenderbufferStorage(
-			GL_RENDERBUFFER, formats[i], (GLsizei)width, (GLsizei)height);
+		glRenderbufferStorage(GL_RENDERBUFFER, formats[i], (GLsizei)width, (GLsizei)height);
 		glFramebufferRenderbuffer(
 			GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, target->buffers[i]);
 	}
 	if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-		return stress_fault_set(fault, "no framebuffer of %ux%u", width, height);
+		return stress_fault_set(
+			fault, STRESS_FAULT_OTHER, "no framebuffer of %ux%u", width, height);
 	target->width = width;
 	target->height = height;
 	return true;
@@ -254,10 +255,11 @@ static bool draw(struct stress_probe *probe, const struct stress_subject *subjec
 	};
 	if (!sm_renderer_set_shadows(probe->renderer, &subject->shadow, &error) ||
 		!sm_renderer_draw(probe->renderer, subject->scene, &view, &error))
-		return stress_fault_set(fault, "drawing fails: %s", error.text);
-	if (edits_missing)
 		return stress_fault_set(
-			fault, "surface.frag has changed: stress_probe.c must follow it");
+			fault, STRESS_FAULT_REFUSED, "drawing fails: %s", error.text);
+	if (edits_missing)
+		return stress_fault_set(fault, STRESS_FAULT_OTHER,
+			"surface.frag has changed: stress_probe.c must follow it");
 	return fault->text[0] == '\0';
 }
 
@@ -270,7 +272,7 @@ static bool read_pixel(const struct stress_probe *probe, const float rgba[4], si
 	bool valid = rgba[3] == 1.0f && *value >= 0.0f && *value <= 1.0f;
 	if (probe->floats)
 		valid = valid && raw >= -RANGE_SLACK && raw <= 1.0f + RANGE_SLACK;
-	return valid || stress_fault_set(fault,
+	return valid || stress_fault_set(fault, STRESS_FAULT_PIXEL,
 				"visibility at %zu, %zu is %g before, %g after it is clamped",
 				index % width, index / width, (double)raw, (double)*value);
 }
@@ -286,7 +288,7 @@ bool stress_probe_visibility(struct stress_probe *probe, const struct stress_sub
 	float *rgba = array_alloc(count, 4 * sizeof(*rgba));
 	uint8_t *bytes = (uint8_t *)rgba;
 	bool ok = (picture->values != NULL && rgba != NULL) ||
-		  stress_fault_set(fault, "out of memory");
+		  stress_fault_set(fault, STRESS_FAULT_OTHER, "out of memory");
 	if (ok)
 		glReadPixels(0, 0, (GLsizei)subject->width, (GLsizei)subject->height, GL_RGBA,
 			probe->floats ? GL_FLOAT : GL_UNSIGNED_BYTE, rgba);
@@ -306,13 +308,14 @@ bool stress_probe_picture(struct stress_probe *probe, const struct stress_subjec
 		return false;
 	uint8_t *rgba = array_alloc(count, 4);
 	if (rgba == NULL)
-		return stress_fault_set(fault, "out of memory");
+		return stress_fault_set(fault, STRESS_FAULT_OTHER, "out of memory");
 	glReadPixels(0, 0, (GLsizei)subject->width, (GLsizei)subject->height, GL_RGBA,
 		GL_UNSIGNED_BYTE, rgba);
 	for (size_t i = 0; i < count; i++)
 		if (rgba[4 * i + 3] != 255)
-			stress_fault_set(fault, "the picture's alpha at %zu, %zu is %u",
-				i % subject->width, i / subject->width, rgba[4 * i + 3]);
+			stress_fault_set(fault, STRESS_FAULT_PIXEL,
+				"the picture's alpha at %zu, %zu is %u", i % subject->width,
+				i / subject->width, rgba[4 * i + 3]);
 	free(rgba);
 	return fault->text[0] == '\0';
 }

@@ -2,7 +2,7 @@
 #ifndef BENCH_STRESS_PROBE_H
 #define BENCH_STRESS_PROBE_H
 
-#include <smoothie.h>
+#include "base/error.h"
 
 /** What is drawn. */
 struct stress_subject {
@@ -20,8 +20,19 @@ struct stress_picture {
 
 void stress_picture_finish(struct stress_picture *picture);
 
+/** The rules. */
+enum stress_fault_kind {
+	STRESS_FAULT_REFUSED,    /* the scene, or drawing it */
+	STRESS_FAULT_FLOAT,      /* a pass writes what is not finite */
+	STRESS_FAULT_PIXEL,      /* visibility not in [0, 1], or no pixel of a picture */
+	STRESS_FAULT_SILHOUETTE, /* that is not closed */
+	STRESS_FAULT_BOUND,      /* an error above its bound */
+	STRESS_FAULT_OTHER,
+};
+
 /** What broke a rule; empty text: nothing did. */
 struct stress_fault {
+	enum stress_fault_kind kind;
 	char text[300];
 };
 
@@ -44,8 +55,7 @@ struct stress_probe {
 };
 
 /** Needs a current context. Fails (MACHINE, INPUT) on a driver that cannot draw. */
-bool stress_probe_init(
-	struct stress_probe *probe, sm_get_proc get_proc, struct sm_error *error);
+bool stress_probe_init(struct stress_probe *probe, sm_get_proc get_proc, struct sm_error *error);
 /** Fine on a failed one. */
 void stress_probe_finish(struct stress_probe *probe);
 
@@ -60,7 +70,7 @@ bool stress_probe_picture(struct stress_probe *probe, const struct stress_subjec
 	struct stress_fault *fault);
 
 /** Says so in *fault, unless it says something already, and returns false. */
-bool stress_fault_set(struct stress_fault *fault, const char *format, ...)
-	__attribute__((format(printf, 2, 3)));
+bool stress_fault_set(struct stress_fault *fault, enum stress_fault_kind kind, const char *format,
+	...) PRINTF_LIKE(3, 4);
 
 #endif

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool stress_mesh_init(struct stress_mesh *mesh, size_t vertex_count, size_t index_count,
-	struct sm_error *error)
+bool stress_mesh_init(
+	struct stress_mesh *mesh, size_t vertex_count, size_t index_count, struct sm_error *error)
 {
 	*mesh = (struct stress_mesh){
 		.positions = array_zalloc(vertex_count, sizeof(*mesh->positions)),

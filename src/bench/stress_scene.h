@@ -40,8 +40,8 @@ bool stress_scene_copy(
 void stress_scene_finish(struct stress_scene *scene);
 
 /** Room for a mesh, zeroed. Fails (MACHINE), and leaves it empty. */
-bool stress_mesh_init(struct stress_mesh *mesh, size_t vertex_count, size_t index_count,
-	struct sm_error *error);
+bool stress_mesh_init(
+	struct stress_mesh *mesh, size_t vertex_count, size_t index_count, struct sm_error *error);
 void stress_mesh_finish(struct stress_mesh *mesh);
 
 /** An object at the origin, unscaled, that casts and receives; takes the mesh. There must be room

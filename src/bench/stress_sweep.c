@@ -16,8 +16,8 @@ struct course {
 	struct stress_picture base; /* empty: there is none */
 };
 
-static bool make_scene(
-	const struct course *course, double value, struct stress_scene *scene, struct sm_error *error)
+static bool make_scene(const struct course *course, double value, struct stress_scene *scene,
+	struct sm_error *error)
 {
 	if (!stress_base_init(scene, course->type, error)) {
 		stress_scene_finish(scene);
@@ -85,7 +85,8 @@ static bool judge(const struct course *course, double value, const struct stress
 		snprintf(outcome->worst, sizeof(outcome->worst), "%s, %s", light_name(course),
 			course->way.name);
 	}
-	return error <= bound || stress_fault_set(fault, "its error is %.5f, above %.5f", error, bound);
+	return error <= bound || stress_fault_set(fault, STRESS_FAULT_BOUND,
+					 "its error is %.5f, above %.5f", error, bound);
 }
 
 static bool run_value(struct course *course, double value, struct sm_error *error)

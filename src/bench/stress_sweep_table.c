@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
+#include "base/error.h"
 #include "bench/stress_base.h"
 #include "bench/stress_shape.h"
 #include "bench/stress_sweep.h"
-#include "base/error.h"
 #include "load/model.h"
 #include <cglm/cglm.h>
 #include <math.h>
@@ -168,16 +168,16 @@ static bool make_two_faced(struct stress_scene *scene, double value, struct sm_e
 static bool make_light_place(struct stress_scene *scene, double value, struct sm_error *error)
 {
 	static const float places[][2][3] = {
-		{{.5f, 1.75f, .5f}, {0, 0, 0}},    /* at the block's corner */
-		{{0, 1.75f, 0}, {0, 0, 0}},        /* in its upper face */
-		{{3, 1.75f, 0}, {0, 1.75f, 0}},    /* in the plane of that face, edge on */
-		{{0, .75f, 0}, {0, 0, 0}},         /* in its lower face */
-		{{1.25f, .5f, -1}, {0, .5f, 0}},   /* in the middle of the ball */
-		{{1.25f, 1, -1}, {0, 0, 0}},       /* at its pole, where many triangles meet */
-		{{4, 0, 0}, {0, 0, 0}},            /* in the floor's plane, beside it */
-		{{2, 0, 0}, {0, 0, 0}},            /* in the floor */
-		{{0, -2, 0}, {0, 0, 0}},           /* below */
-		{{0, 4, 0}, {0, 8, 0}},            /* it looks away */
+		{{.5f, 1.75f, .5f}, {0, 0, 0}},  /* at the block's corner */
+		{{0, 1.75f, 0}, {0, 0, 0}},      /* in its upper face */
+		{{3, 1.75f, 0}, {0, 1.75f, 0}},  /* in the plane of that face, edge on */
+		{{0, .75f, 0}, {0, 0, 0}},       /* in its lower face */
+		{{1.25f, .5f, -1}, {0, .5f, 0}}, /* in the middle of the ball */
+		{{1.25f, 1, -1}, {0, 0, 0}},     /* at its pole, where many triangles meet */
+		{{4, 0, 0}, {0, 0, 0}},          /* in the floor's plane, beside it */
+		{{2, 0, 0}, {0, 0, 0}},          /* in the floor */
+		{{0, -2, 0}, {0, 0, 0}},         /* below */
+		{{0, 4, 0}, {0, 8, 0}},          /* it looks away */
 	};
 	(void)error;
 	struct sm_light_desc *light = &scene->lights[0];
@@ -276,61 +276,52 @@ static bool make_picture(struct stress_scene *scene, double value, struct sm_err
 
 static const struct stress_sweep sweeps[] = {
 	{"scale", "the scene's scale", 11, 11,
-		{1e-4, 1e-3, 1e-2, .1, 1, 10, 100, 1e3, 1e4, 1e5, 1e6}, make_scaled,
-		.base = 1, .constant = 1e-3, .to = INFINITY},
-	{"moved", "units by which transforms move the scene from the origin", 7, 7,
-		{1, 10, 100, 1e3, 1e4, 1e5, 1e6}, make_moved,
+		{1e-4, 1e-3, 1e-2, .1, 1, 10, 100, 1e3, 1e4, 1e5, 1e6}, make_scaled, .base = 1,
 		.constant = 1e-3, .to = INFINITY},
+	{"moved", "units by which transforms move the scene from the origin", 7, 7,
+		{1, 10, 100, 1e3, 1e4, 1e5, 1e6}, make_moved, .constant = 1e-3, .to = INFINITY},
 	{"moved meshes", "units by which vertices are moved from the origin", 7, 7,
-		{1, 10, 100, 1e3, 1e4, 1e5, 1e6}, make_moved_meshes,
-		.constant = 1e-3, .slope = 4 * 0x1p-23, .to = INFINITY},
+		{1, 10, 100, 1e3, 1e4, 1e5, 1e6}, make_moved_meshes, .constant = 1e-3,
+		.slope = 4 * 0x1p-23, .to = INFINITY},
 	{"near caster", "the light's far plane : its nearest caster", 6, 6,
-		{10, 100, 600, 1e4, 1e5, 1e6}, make_near_caster,
-		.base = 10, .constant = 5e-3, .to = 600, .spot_only = true},
-	{"camera range", "the camera's far : near", 6, 6,
-		{10, 100, 1e3, 1e4, 1e5, 1e6}, make_camera_range,
-		.base = 10, .constant = 5e-3, .to = 1e5},
-	{"radius", "the light's radius", 10, 10,
-		{0, 1e-6, 1e-4, 1e-3, .01, .1, 1, 10, 1e3, 1e6}, make_radius,
-		.constant = 2e-3, .slope = .5, .to = .1},
-	{"width", "the fins' width (alpha -> 0)", 7, 7,
-		{1e-9, 1e-6, 1e-4, 1e-3, .01, .1, 1}, make_width,
-		.constant = 2e-3, .slope = 2, .to = .1, .is_optional = true},
-	{"gap", "of a block above the floor", 8, 8,
-		{0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, .1}, make_gap,
-		.constant = 5e-3, .slope = 1, .to = .1},
+		{10, 100, 600, 1e4, 1e5, 1e6}, make_near_caster, .base = 10, .constant = 5e-3,
+		.to = 600, .spot_only = true},
+	{"camera range", "the camera's far : near", 6, 6, {10, 100, 1e3, 1e4, 1e5, 1e6},
+		make_camera_range, .base = 10, .constant = 5e-3, .to = 1e5},
+	{"radius", "the light's radius", 10, 10, {0, 1e-6, 1e-4, 1e-3, .01, .1, 1, 10, 1e3, 1e6},
+		make_radius, .constant = 2e-3, .slope = .5, .to = .1},
+	{"width", "the fins' width (alpha -> 0)", 7, 7, {1e-9, 1e-6, 1e-4, 1e-3, .01, .1, 1},
+		make_width, .constant = 2e-3, .slope = 2, .to = .1, .is_optional = true},
+	{"gap", "of a block above the floor", 8, 8, {0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, .1},
+		make_gap, .constant = 5e-3, .slope = 1, .to = .1},
 	{"layer", "height of a thin layer above the floor", 8, 8,
 		{0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, .1}, make_layer, .truth = STRESS_LIT,
 		.constant = 2e-3, .slope = 1, .to = .1},
-	{"slivers", "length : width of triangles", 7, 7,
-		{2, 10, 100, 1e3, 1e4, 1e5, 1e6}, make_slivers,
-		.base = 2, .constant = 1e-3, .to = INFINITY},
-	{"degenerate", "triangles without area, in fours", 3, 3,
-		{1, 10, 100}, make_degenerate, .to = INFINITY, .constant = 1e-6},
-	{"duplicates", "times that each triangle is there", 3, 3,
-		{2, 3, 8}, make_duplicates, .base = 1, .constant = 1e-3, .to = INFINITY},
-	{"two-faced", "a ball with both windings of its triangles", 1, 1,
-		{1}, make_two_faced, .constant = 1e-3, .to = INFINITY},
-	{"light place", "odd places of the light", 10, 10,
-		{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, make_light_place, .from = INFINITY},
+	{"slivers", "length : width of triangles", 7, 7, {2, 10, 100, 1e3, 1e4, 1e5, 1e6},
+		make_slivers, .base = 2, .constant = 1e-3, .to = INFINITY},
+	{"degenerate", "triangles without area, in fours", 3, 3, {1, 10, 100}, make_degenerate,
+		.to = INFINITY, .constant = 1e-6},
+	{"duplicates", "times that each triangle is there", 3, 3, {2, 3, 8}, make_duplicates,
+		.base = 1, .constant = 1e-3, .to = INFINITY},
+	{"two-faced", "a ball with both windings of its triangles", 1, 1, {1}, make_two_faced,
+		.constant = 1e-3, .to = INFINITY},
+	{"light place", "odd places of the light", 10, 10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9},
+		make_light_place, .from = INFINITY},
 	{"enclosed", "a light inside a block, from its middle to its side", 5, 5,
-		{0, .25, .5, .8, .999}, make_enclosed, .truth = STRESS_DARK,
-		.constant = 1e-3, .to = .8, .spot_only = true},
+		{0, .25, .5, .8, .999}, make_enclosed, .truth = STRESS_DARK, .constant = 1e-3,
+		.to = .8, .spot_only = true},
 	{"crossing", "distance of a pillar that passes the light", 6, 6,
 		{1, .1, .01, 1e-3, 1e-4, 0}, make_crossing, .from = INFINITY},
 	{"grazing", "degrees between the floor's normal and the light", 8, 8,
 		{80, 85, 88, 88.8, 89, 89.5, 89.9, 89.99}, make_grazing, .truth = STRESS_LIT,
 		.constant = 1e-3, .to = 88.8},
-	{"mesh size", "triangles of a mesh", 6, 4,
-		{1, 64, 16384, 40000, 262144, 2e6}, make_mesh_size,
-		.base = 16384, .constant = 5e-3, .from = 16384, .to = INFINITY},
-	{"lights", "their number", 4, 4, {0, 1, 2, 64}, make_lights,
-		.base = 1, .constant = 1e-6, .to = INFINITY},
-	{"map", "texels a side of the shadow map", 8, 7,
-		{16, 17, 64, 255, 1000, 1024, 2048, 4096}, make_map,
-		.base = 1024, .constant = 2e-2, .from = 1000, .to = INFINITY},
-	{"picture", "pixels a side of the picture", 6, 6,
-		{1, 2, 3, 7, 100, 301}, make_picture,
+	{"mesh size", "triangles of a mesh", 6, 4, {1, 64, 16384, 40000, 262144, 2e6},
+		make_mesh_size, .base = 16384, .constant = 5e-3, .from = 16384, .to = INFINITY},
+	{"lights", "their number", 4, 4, {0, 1, 2, 64}, make_lights, .base = 1, .constant = 1e-6,
+		.to = INFINITY},
+	{"map", "texels a side of the shadow map", 8, 7, {16, 17, 64, 255, 1000, 1024, 2048, 4096},
+		make_map, .base = 1024, .constant = 2e-2, .from = 1000, .to = INFINITY},
+	{"picture", "pixels a side of the picture", 6, 6, {1, 2, 3, 7, 100, 301}, make_picture,
 		.base = 1, .from = INFINITY},
 };
 
