@@ -206,7 +206,8 @@ enum sm_falloff {
  *  use must stay zero: setting it is an error. */
 struct sm_shadow_options {
 	const char *technique; /**< a name of sm_technique_name(); NULL: the default, "smoothie" */
-	uint32_t map_size;     /**< texels a side of the shadow map, 16 to the driver's limit;
+	uint32_t map_size;     /**< texels a side of the shadow map, 1 to the driver's limit; up to 2
+				    show no shadow, since border texels stay clear;
 				    default 1024 */
 	float width;           /**< smoothie: t of the paper, the fins' width as a share of the
 				    light's screen, (0, 1]; default: from the light's radius */

@@ -25,11 +25,13 @@ vec4 fetch_lit(vec2 corner, float depth)
 
 #define FETCH(map, channel, corner) textureGather(map, (corner + 1.0) * map_size.y, channel)
 #else
+// A map of one texel has its corner beside the map.
+#define FETCH_AT(map, channel, x, y) texelFetch(map, max(ivec2(x, y), 0), 0)[channel]
 #define FETCH(map, channel, corner)                                                                \
-	vec4(texelFetch(map, ivec2(corner) + ivec2(0, 1), 0)[channel],                             \
-		texelFetch(map, ivec2(corner) + ivec2(1, 1), 0)[channel],                          \
-		texelFetch(map, ivec2(corner) + ivec2(1, 0), 0)[channel],                          \
-		texelFetch(map, ivec2(corner), 0)[channel])
+	vec4(FETCH_AT(map, channel, corner.x, corner.y + 1.0),                                     \
+		FETCH_AT(map, channel, corner.x + 1.0, corner.y + 1.0),                            \
+		FETCH_AT(map, channel, corner.x + 1.0, corner.y),                                  \
+		FETCH_AT(map, channel, corner.x, corner.y))
 
 vec4 fetch_lit(vec2 corner, float depth)
 {

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #define MAP_SIZE_DEFAULT 1024
-/* Below, the border texels, which stay clear, would be most of the map. */
-#define MAP_SIZE_MIN 16
+/* Border texels stay clear: a map of one or two texels a side shows no shadow. */
+#define MAP_SIZE_MIN 1
 
 static bool check_used(const struct sm_shadow_options *options, const struct technique *technique,
 	struct sm_error *error)

@@ -72,7 +72,7 @@ static const struct key keys[] = {
 	{SECTION_SHADOW, "technique", KEY_TEXT, offsetof(struct plan_shadow, technique),
 		.follows = "smoothie"},
 	{SECTION_SHADOW, "map", KEY_COUNT, offsetof(struct plan_shadow, map), .follows = "1024",
-		.min = 16, .max = 16384},
+		.min = 1, .max = 16384},
 	{SECTION_SHADOW, "width", KEY_NUMBER, offsetof(struct plan_shadow, width),
 		.follows = "the light's radius", .min = 1e-4, .max = 1},
 	{SECTION_SHADOW, "falloff", KEY_WORD, offsetof(struct plan_shadow, falloff),

@@ -183,9 +183,9 @@ static void bad_input_is_named_with_its_place(void **state)
 		{"[motion]\nperiod = 4 s\n", ":2: period cannot be \"4 s\"; it takes 0, or a "
 					     "number from 0.1 to 1000000 with either sign"},
 		{"[shadow]\nmap = 1024.5\n",
-			":2: map cannot be \"1024.5\"; it takes a whole number from 16 to 16384"},
+			":2: map cannot be \"1024.5\"; it takes a whole number from 1 to 16384"},
 		{"[shadow]\nmap = 4294968320\n", ":2: map cannot be \"4294968320\"; it takes a "
-						 "whole number from 16 to 16384"},
+						 "whole number from 1 to 16384"},
 		{"[output]\nsize = 640x\n", ":2: size cannot be \"640x\"; it takes WIDTHxHEIGHT, "
 					    "each from 1 to 16384"},
 		{"[output]\nsize = 640x0\n", ":2: size cannot be \"640x0\"; it takes WIDTHxHEIGHT, "
