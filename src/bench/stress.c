@@ -66,6 +66,8 @@ static void print_outcome(const struct run *run, const struct stress_sweep *swee
 {
 	FILE *lines = run->options->lines;
 	fprintf(lines, "%-13s %5" PRIu32 " checks, ", sweep->name, outcome->checks);
+	if (outcome->left_out > 0)
+		fprintf(lines, "%" PRIu32 " left out for lack of memory, ", outcome->left_out);
 	if (outcome->bound > 0)
 		fprintf(lines, "error at worst %.6f of %.6f (%g, %s)\n", outcome->error,
 			outcome->bound, outcome->value, outcome->worst);

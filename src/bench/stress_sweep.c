@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 /* A sweep on its way through one kind of light and one way. */
 struct course {
@@ -134,16 +135,53 @@ static bool applies(const struct course *course, bool *taken, struct sm_error *e
 	return true;
 }
 
+/* Memory that nothing uses. */
+static double free_bytes(void)
+{
+	return (double)sysconf(_SC_AVPHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+}
+
+/* Whether a map of the sweep's first value can be had: what the last draw took, grown to its size,
+ * twice (drivers may hold a copy), beside what else the machine does. */
+static bool is_affordable(const struct course *course)
+{
+	struct stress_scene scene;
+	struct sm_memory memory;
+	if (!make_scene(course, course->sweep->base, &scene, NULL))
+		return false;
+	struct stress_fault fault;
+	struct sm_scene *built = stress_scene_build(&scene, NULL);
+	bool drawn = stress_check_scene(course->probe, &scene, NULL, &fault) && built != NULL;
+	if (drawn)
+		sm_renderer_get_memory(course->probe->renderer, built, &memory);
+	sm_scene_destroy(built);
+	stress_scene_finish(&scene);
+	double growth = course->sweep->values[0] / course->sweep->base;
+	return drawn && 2 * (double)memory.targets * growth * growth < free_bytes() / 2;
+}
+
 static bool run_course(struct course *course, size_t count, struct sm_error *error)
 {
 	bool taken;
 	if (!applies(course, &taken, error) || !taken)
 		return !taken;
+	if (course->sweep->is_large && !is_affordable(course)) {
+		course->outcome->left_out++;
+		return true;
+	}
 	bool ok = draw_base(course, error);
 	for (size_t i = 0; i < count && ok; i++)
 		ok = run_value(course, course->sweep->values[i], error);
 	stress_picture_finish(&course->base);
 	return ok;
+}
+
+/* A large one with the first choice of samples alone. */
+static bool is_wanted(const struct course *course)
+{
+	struct stress_way first;
+	return !course->sweep->is_large || (stress_way_at(0, course->way.technique, &first) &&
+						   first.samples == course->way.samples);
 }
 
 bool stress_sweep_run(const struct stress_sweep *sweep, struct stress_probe *probe,
@@ -157,8 +195,9 @@ bool stress_sweep_run(const struct stress_sweep *sweep, struct stress_probe *pro
 	for (size_t i = 0; i < (sweep->spot_only ? 1 : 2) && ok; i++) {
 		course.type = types[i];
 		for (size_t j = 0; stress_way_at(j, technique, &course.way) && ok; j++)
-			ok = run_course(&course,
-				effort == STRESS_FULL ? sweep->count : sweep->quick, error);
+			ok = !is_wanted(&course) ||
+			     run_course(&course,
+				     effort == STRESS_FULL ? sweep->count : sweep->quick, error);
 	}
 	return ok;
 }

@@ -25,6 +25,7 @@ struct stress_sweep {
 	 * only be valid beside. */
 	double constant, slope, from, to;
 	bool spot_only;   /* a directional light has no such quantity */
+	bool is_large;    /* once for each technique, and only where there is the memory */
 	bool is_optional; /* for techniques that take the options it sets */
 };
 
@@ -37,6 +38,7 @@ enum stress_effort { STRESS_QUICK, STRESS_FULL };
 /** What came of a sweep. */
 struct stress_outcome {
 	uint32_t checks, failures;
+	uint32_t left_out; /* for lack of memory */
 	/* Where error / bound was greatest, among values with a bound; bound 0: there was none. */
 	double error, bound, value;
 	char worst[64]; /* the light and the way of that */

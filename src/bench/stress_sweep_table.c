@@ -266,6 +266,15 @@ static bool make_map(struct stress_scene *scene, double value, struct sm_error *
 	return true;
 }
 
+/* The floor alone can be dark by itself, where it does not face the light. */
+static bool make_lit_map(struct stress_scene *scene, double value, struct sm_error *error)
+{
+	scene->objects[STRESS_BLOCK].receives = scene->objects[STRESS_BALL].receives = false;
+	memcpy(scene->camera.eye, (float[3]){-2, 1, 2}, sizeof(scene->camera.eye));
+	memcpy(scene->camera.target, (float[3]){-1.5f, 0, .5f}, sizeof(scene->camera.target));
+	return make_map(scene, value, error);
+}
+
 static bool make_picture(struct stress_scene *scene, double value, struct sm_error *error)
 {
 	(void)error;
@@ -319,8 +328,14 @@ static const struct stress_sweep sweeps[] = {
 		make_mesh_size, .base = 16384, .constant = 5e-3, .from = 16384, .to = INFINITY},
 	{"lights", "their number", 4, 4, {0, 1, 2, 64}, make_lights, .base = 1, .constant = 1e-6,
 		.to = INFINITY},
-	{"map", "texels a side of the shadow map", 8, 7, {16, 17, 64, 255, 1000, 1024, 2048, 4096},
-		make_map, .base = 1024, .constant = 2e-2, .from = 1000, .to = INFINITY},
+	{"map", "texels a side of the shadow map", 10, 9,
+		{1, 2, 3, 4, 16, 17, 255, 1000, 1024, 4096}, make_map, .base = 1024,
+		.constant = 2e-2, .from = 1000, .to = INFINITY},
+	{"empty map", "texels a side of a shadow map without an inside", 2, 2, {1, 2}, make_lit_map,
+		.truth = STRESS_LIT, .constant = 1e-6, .to = INFINITY},
+	{"largest map", "texels a side of the shadow map: the driver's limit", 1, 0, {16384},
+		make_map, .base = 1024, .constant = 2e-2, .to = INFINITY, .spot_only = true,
+		.is_large = true},
 	{"picture", "pixels a side of the picture", 6, 6, {1, 2, 3, 7, 100, 301}, make_picture,
 		.base = 1, .from = INFINITY},
 };
