@@ -37,7 +37,7 @@ static void write_scene(struct run *run, const char *place, const struct stress_
 		return;
 	file_name(place, name, sizeof(name));
 	if (!stress_file_write(scene, options->folder, name, path, sizeof(path), &error) ||
-		!stress_file_check(path, &run->probe, &fault, &error)) {
+		!stress_file_check(path, &run->probe, NULL, &fault, &error)) {
 		fprintf(options->lines, "  %s\n", error.text);
 		return;
 	}
@@ -141,7 +141,7 @@ static bool run_random_scenes(struct run *run, struct sm_error *error)
 static bool run_file(struct run *run, struct sm_error *error)
 {
 	struct stress_fault fault;
-	if (!stress_file_check(run->options->scene, &run->probe, &fault, error))
+	if (!stress_file_check(run->options->scene, &run->probe, NULL, &fault, error))
 		return false;
 	run->checks++;
 	if (fault.text[0] != '\0') {

@@ -191,11 +191,13 @@ bool stress_file_can_say(const struct stress_scene *scene)
 	return can;
 }
 
-bool stress_file_check(const char *path, struct stress_probe *probe, struct stress_fault *fault,
-	struct sm_error *error)
+bool stress_file_check(const char *path, struct stress_probe *probe, struct stress_picture *seen,
+	struct stress_fault *fault, struct sm_error *error)
 {
 	struct stage stage;
 	fault->text[0] = '\0';
+	if (seen != NULL)
+		*seen = (struct stress_picture){0};
 	bool loaded = stage_load(&stage, path, NULL, 0, error);
 	if (loaded) {
 		const struct stress_subject subject = {
@@ -205,7 +207,7 @@ bool stress_file_check(const char *path, struct stress_probe *probe, struct stre
 			.width = stage.output.width,
 			.height = stage.output.height,
 		};
-		stress_check(probe, &subject, NULL, fault);
+		stress_check(probe, &subject, seen, fault);
 	}
 	stage_finish(&stage);
 	return loaded;

@@ -14,9 +14,9 @@ bool stress_file_write(const struct stress_scene *scene, const char *folder, con
  *  and its numbers are in range. */
 bool stress_file_can_say(const struct stress_scene *scene);
 
-/** Loads a scene file and checks it; *fault says what was broken. Fails (INPUT, MACHINE) when it
- *  does not load. */
-bool stress_file_check(const char *path, struct stress_probe *probe, struct stress_fault *fault,
-	struct sm_error *error);
+/** Loads a scene file and checks it; *seen (may be NULL) and *fault are as of stress_check(). Fails
+ *  (INPUT, MACHINE) when it does not load. */
+bool stress_file_check(const char *path, struct stress_probe *probe, struct stress_picture *seen,
+	struct stress_fault *fault, struct sm_error *error);
 
 #endif
