@@ -29,20 +29,24 @@ static void light_view(const struct sm_light_desc *light, mat4 view)
 	view[3][2] = glm_vec3_dot(axis, (float *)light->position);
 }
 
-/* Box of the casters, or of every object, in light space; false if there are none. */
-static bool light_space_bounds(
-	const struct sm_scene *scene, mat4 view, bool casters_only, vec3 box[2])
+static void view_box(const struct object *object, mat4 view, vec3 box[2])
+{
+	glm_vec3_copy((float *)object->min, box[0]);
+	glm_vec3_copy((float *)object->max, box[1]);
+	glm_aabb_transform(box, view, box);
+}
+
+/* Box of the casters in view space; false if there are none. */
+static bool casters_box(const struct sm_scene *scene, mat4 view, vec3 box[2])
 {
 	glm_aabb_invalidate(box);
 	bool found = false;
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
-		if (casters_only && !object->casts)
+		if (!object->casts)
 			continue;
 		vec3 part[2];
-		glm_vec3_copy((float *)object->min, part[0]);
-		glm_vec3_copy((float *)object->max, part[1]);
-		glm_aabb_transform(part, view, part);
+		view_box(object, view, part);
 		glm_aabb_merge(box, part, box);
 		found = true;
 	}
@@ -57,16 +61,27 @@ struct depth_range {
 /* A quad has at most four more corners after four planes. */
 #define FACE_CORNERS_MAX 8
 
-/* Keeps what of a convex polygon in view space is inside one side of a spot's square cone:
- * sign * p[axis] <= -tangent p.z (Sutherland & Hodgman 1974). Returns the number of corners. */
-static int clip_face(vec3 *corners, int count, int axis, float sign, float tangent,
+/* A light's screen in view space: |p[axis] - center[axis]| <= extent - slope p.z. */
+struct screen {
+	float center[2], extent, slope;
+};
+
+/* How far inside one side of the screen a point is. */
+static float inside_by(const struct screen *screen, const float p[3], int axis, float sign)
+{
+	return screen->extent - screen->slope * p[2] - sign * (p[axis] - screen->center[axis]);
+}
+
+/* Keeps what of a convex polygon is inside one side of the screen (Sutherland & Hodgman 1974).
+ * Returns the number of corners. */
+static int clip_face(const struct screen *screen, vec3 *corners, int count, int axis, float sign,
 	vec3 clipped[FACE_CORNERS_MAX])
 {
 	int kept = 0;
 	for (int i = 0; i < count; i++) {
 		float *p = corners[i], *q = corners[(i + 1) % count];
-		float inside_p = -tangent * p[2] - sign * p[axis];
-		float inside_q = -tangent * q[2] - sign * q[axis];
+		float inside_p = inside_by(screen, p, axis, sign);
+		float inside_q = inside_by(screen, q, axis, sign);
 		if (inside_p >= 0.0f)
 			glm_vec3_copy(p, clipped[kept++]);
 		/* One is below 0 and the other is not: the divisor is neither's 0. */
@@ -76,13 +91,13 @@ static int clip_face(vec3 *corners, int count, int axis, float sign, float tange
 	return kept;
 }
 
-static void widen_by_face(struct depth_range *range, vec3 quad[4], float tangent)
+static void widen_by_face(struct depth_range *range, const struct screen *screen, vec3 quad[4])
 {
 	vec3 corners[2][FACE_CORNERS_MAX];
 	int count = 4, from = 0;
 	memcpy(corners[0], quad, 4 * sizeof(vec3));
 	for (int side = 0; side < 4 && count > 0; side++, from = 1 - from)
-		count = clip_face(corners[from], count, side / 2, side % 2 ? -1.0f : 1.0f, tangent,
+		count = clip_face(screen, corners[from], count, side / 2, side % 2 ? -1.0f : 1.0f,
 			corners[1 - from]);
 	for (int i = 0; i < count; i++) {
 		range->near = fminf(range->near, -corners[from][i][2]);
@@ -90,16 +105,14 @@ static void widen_by_face(struct depth_range *range, vec3 quad[4], float tangent
 	}
 }
 
-/* Depths of the part of a world-space box that is in the cone. A corner of that part lies on a face
- * of the box, or is the light, if that is in the box. */
-static void widen_by_box(struct depth_range *range, const struct object *object,
-	const float light[3], mat4 view, float tangent)
+/* Depths of the part of a world-space box that is on the screen. A corner of that part lies on a
+ * face of the box, or is the tip of a spot's cone. */
+static void widen_by_box(struct depth_range *range, const struct screen *screen,
+	const struct object *object, mat4 view)
 {
 	vec3 corners[8];
 	vec3 box[2] = {{object->min[0], object->min[1], object->min[2]},
 		{object->max[0], object->max[1], object->max[2]}};
-	if (glm_aabb_point(box, (float *)light))
-		range->near = 0.0f;
 	for (int i = 0; i < 8; i++) {
 		vec3 p;
 		for (int axis = 0; axis < 3; axis++)
@@ -112,21 +125,40 @@ static void widen_by_box(struct depth_range *range, const struct object *object,
 		vec3 quad[4];
 		for (int i = 0; i < 4; i++)
 			glm_vec3_copy(corners[faces[face][i]], quad[i]);
-		widen_by_face(range, quad, tangent);
+		widen_by_face(range, screen, quad);
 	}
+}
+
+static bool is_in_box(const struct object *object, const float point[3])
+{
+	vec3 box[2] = {{object->min[0], object->min[1], object->min[2]},
+		{object->max[0], object->max[1], object->max[2]}};
+	return glm_aabb_point(box, (float *)point);
+}
+
+/* Depths of all objects, or of the casters, that are in a spot's cone. */
+static struct depth_range depths_in_cone(const struct sm_light_desc *light,
+	const struct sm_scene *scene, mat4 view, bool casters_only)
+{
+	struct depth_range range = {FLT_MAX, 0.0f};
+	/* A thousandth more for rounding, here and below. */
+	const struct screen screen = {.slope = tanf(glm_rad(light->angle) / 2.0f) * 1.001f};
+	for (size_t i = 0; i < scene->object_count; i++) {
+		const struct object *object = &scene->objects[i];
+		if (casters_only && !object->casts)
+			continue;
+		widen_by_box(&range, &screen, object, view);
+		if (is_in_box(object, light->position))
+			range.near = 0.0f;
+	}
+	return range;
 }
 
 static void spot_frame(struct light_frame *frame, const struct sm_light_desc *light,
 	const struct sm_scene *scene, mat4 view)
 {
-	struct depth_range casters = {FLT_MAX, 0.0f}, all = {FLT_MAX, 0.0f};
-	/* A thousandth more for rounding, here and below. */
-	float tangent = tanf(glm_rad(light->angle) / 2.0f) * 1.001f;
-	for (size_t i = 0; i < scene->object_count; i++) {
-		widen_by_box(&all, &scene->objects[i], light->position, view, tangent);
-		if (scene->objects[i].casts)
-			widen_by_box(&casters, &scene->objects[i], light->position, view, tangent);
-	}
+	struct depth_range casters = depths_in_cone(light, scene, view, true);
+	struct depth_range all = depths_in_cone(light, scene, view, false);
 	/* With nothing in the cone any range will do. */
 	float far_plane = all.far * 1.001f;
 	if (!(far_plane > 0.0f && isfinite(far_plane)))
@@ -147,42 +179,71 @@ static void spot_frame(struct light_frame *frame, const struct sm_light_desc *li
 	glm_mat4_copy(view, frame->world_to_light);
 }
 
+/* Farthest depth of what is on a directional light's screen, at least that of its casters. */
+static float farthest_on_screen(
+	const struct screen *screen, const struct sm_scene *scene, mat4 view, float casters_far)
+{
+	struct depth_range range = {FLT_MAX, casters_far};
+	for (size_t i = 0; i < scene->object_count; i++) {
+		vec3 box[2];
+		view_box(&scene->objects[i], view, box);
+		/* Most are not behind all casters. */
+		if (-box[0][2] > range.far)
+			widen_by_box(&range, screen, &scene->objects[i], view);
+	}
+	return range.far;
+}
+
+/* A screen that holds the casters and their penumbras, on what is behind them. The wider it is, the
+ * farther may a receiver go on it: after so many steps what is added to the width is small, but on
+ * receivers that the light hardly grazes. A wide floor takes no more of it than its part there. */
+#define WIDENING_STEPS 3
+
+static void fit_directional_screen(
+	struct screen *screen, const struct sm_scene *scene, mat4 view, vec3 casters[2], float disc)
+{
+	float half = fmaxf(casters[1][0] - casters[0][0], casters[1][1] - casters[0][1]) / 2.0f;
+	vec3 center;
+	glm_aabb_center(casters, center);
+	*screen = (struct screen){.center = {center[0], center[1]}, .extent = half * 1.01f};
+	for (int step = 0; step < WIDENING_STEPS; step++) {
+		float far = farthest_on_screen(screen, scene, view, -casters[0][2]);
+		screen->extent = half * 1.01f + disc * (far + casters[1][2]);
+	}
+	if (!(screen->extent > 0.0f && isfinite(screen->extent)))
+		screen->extent = 1.0f;
+}
+
 static void directional_frame(struct light_frame *frame, const struct sm_light_desc *light,
 	const struct sm_scene *scene, mat4 view)
 {
-	vec3 path, center;
-	/* With nothing to cast or receive a shadow any box will do. */
-	vec3 casters[2] = {{-1.0f, -1.0f, -2.0f}, {1.0f, 1.0f, -1.0f}}, all[2], found[2];
-	if (light_space_bounds(scene, view, true, found))
+	vec3 path;
+	/* With nothing to cast a shadow any box will do. */
+	vec3 casters[2] = {{-1.0f, -1.0f, -2.0f}, {1.0f, 1.0f, -1.0f}}, found[2];
+	if (casters_box(scene, view, found))
 		memcpy(casters, found, sizeof(casters));
-	if (!light_space_bounds(scene, view, false, all))
-		memcpy(all, casters, sizeof(all));
 	glm_vec3_sub((float *)light->position, (float *)light->target, path);
-	glm_aabb_center(casters, center);
-	float extent = fmaxf(casters[1][0] - casters[0][0], casters[1][1] - casters[0][1]) / 2.0f;
-	/* Wide enough for one penumbra, and never empty. */
 	frame->disc = light->radius / glm_vec3_norm(path);
-	float depth = fmaxf(casters[1][2], all[1][2]) - all[0][2];
-	extent = extent * 1.01f + frame->disc * depth;
-	if (!(extent > 0.0f && isfinite(extent)))
-		extent = 1.0f;
+	struct screen screen;
+	fit_directional_screen(&screen, scene, view, casters, frame->disc);
+	float far = farthest_on_screen(&screen, scene, view, -casters[0][2]);
+	float depth = far + casters[1][2];
 	if (!(depth > 0.0f && isfinite(depth)))
 		depth = 1.0f;
 	frame->parallel = true;
-	frame->half_extent = extent;
+	frame->half_extent = screen.extent;
 	/* From the near plane on: counted from a light that may be far away, depths would lose the
 	 * digits that tell them apart. */
 	float start = -casters[1][2] - depth * 0.001f;
 	frame->near = 0.0f;
-	frame->far = -all[0][2] + depth * 0.001f - start;
-	if (!(frame->far > 0.0f))
-		frame->far = depth;
+	frame->far = depth * 1.002f;
 	frame->near_to_far = 1.0f;
 	frame->pole = 1.0f;
 	mat4 projection, to_center = GLM_MAT4_IDENTITY_INIT;
-	glm_translate(to_center, (vec3){-center[0], -center[1], start});
+	glm_translate(to_center, (vec3){-screen.center[0], -screen.center[1], start});
 	glm_mat4_mul(to_center, view, frame->world_to_light);
-	glm_ortho(-extent, extent, -extent, extent, frame->near, frame->far, projection);
+	glm_ortho(-screen.extent, screen.extent, -screen.extent, screen.extent, frame->near,
+		frame->far, projection);
 	glm_mat4_mul(projection, frame->world_to_light, frame->world_to_clip);
 	glm_vec3_normalize_to(path, frame->origin);
 	frame->origin[3] = 0.0f;

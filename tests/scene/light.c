@@ -249,6 +249,29 @@ static void the_origin_is_a_position_or_a_direction(void **state)
 	sm_scene_destroy(scene);
 }
 
+/* What of a floor is beside its screen costs a directional light neither texels nor depth. */
+static void a_wide_floor_leaves_a_directional_light_its_screen(void **state)
+{
+	(void)state;
+	static const float halves[] = {10, 100, 1e4f};
+	struct light_frame first;
+	for (size_t i = 0; i < sizeof(halves) / sizeof(halves[0]); i++) {
+		struct sm_scene *scene = sm_scene_create();
+		struct sm_light_desc light = light_at(SM_LIGHT_DIRECTIONAL, 3, 4, 0);
+		struct light_frame frame;
+		add_cube(scene, true, 1, (float[]){0, 2, 0});
+		add_cube(scene, false, halves[i], (float[]){0, 0, 0});
+		static const float flat[16] = {[0] = 1, [10] = 1, [15] = 1};
+		assert_true(sm_scene_set_transform(scene, 1, flat, NULL));
+		light_frame_init(&frame, &light, scene);
+		if (i == 0)
+			first = frame;
+		assert_float_equal(frame.half_extent, first.half_extent, 1e-2f);
+		assert_true(assert_inside(&frame, &scene->objects[0], true) > 0);
+		sm_scene_destroy(scene);
+	}
+}
+
 /* The axis comes of the difference of two places, which may be far from the origin. */
 static void the_axis_is_as_exact_anywhere(void **state)
 {
@@ -275,6 +298,7 @@ int main(void)
 		cmocka_unit_test(scenes_without_casters_or_objects_have_a_range_too),
 		cmocka_unit_test(window_depth_gives_linear_depth_and_the_share_of_the_penumbra),
 		cmocka_unit_test(the_origin_is_a_position_or_a_direction),
+		cmocka_unit_test(a_wide_floor_leaves_a_directional_light_its_screen),
 		cmocka_unit_test(the_axis_is_as_exact_anywhere),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
