@@ -244,6 +244,16 @@ static bool make_mesh_size(struct stress_scene *scene, double value, struct sm_e
 			  : stress_shape_sphere(mesh, (uint32_t)lround(sqrt(value / 4)), error);
 }
 
+/* A floor so wide, of which the same part is seen. */
+static bool make_wide_floor(struct stress_scene *scene, double value, struct sm_error *error)
+{
+	struct stress_object *floor = &scene->objects[STRESS_FLOOR];
+	(void)error;
+	floor->scale[0] = floor->scale[2] = (float)(value / 2);
+	scene->camera.fov = 20;
+	return true;
+}
+
 static bool make_lights(struct stress_scene *scene, double value, struct sm_error *error)
 {
 	(void)error;
@@ -326,6 +336,8 @@ static const struct stress_sweep sweeps[] = {
 		.constant = 1e-3, .to = 88.8},
 	{"mesh size", "triangles of a mesh", 6, 4, {1, 64, 16384, 40000, 262144, 2e6},
 		make_mesh_size, .base = 16384, .constant = 5e-3, .from = 16384, .to = INFINITY},
+	{"wide floor", "width of the floor", 6, 6, {12, 120, 1e3, 1e4, 1e5, 1e6}, make_wide_floor,
+		.base = 12, .constant = 5e-3, .to = 1e5},
 	{"lights", "their number", 4, 4, {0, 1, 2, 64}, make_lights, .base = 1, .constant = 1e-6,
 		.to = INFINITY},
 	{"map", "texels a side of the shadow map", 10, 9,
