@@ -83,6 +83,21 @@ static bool make_radius(struct stress_scene *scene, double value, struct sm_erro
 	return true;
 }
 
+/* A light so far from its target that looks as large from there, and lights as much. */
+static bool make_distance(struct stress_scene *scene, double value, struct sm_error *error)
+{
+	struct sm_light_desc *light = &scene->lights[0];
+	double before = glm_vec3_distance(light->target, light->position);
+	double half = tan(light->angle * M_PI / 360) * before / value;
+	(void)error;
+	for (int axis = 0; axis < 3; axis++)
+		light->position[axis] = (float)(light->target[axis] +
+			(light->position[axis] - light->target[axis]) * value / before);
+	light->radius = (float)(light->radius * value / before);
+	light->angle = (float)(atan(half) * 360 / M_PI);
+	return true;
+}
+
 /* 0 is a light without a radius, whose fins have no width. */
 static bool make_width(struct stress_scene *scene, double value, struct sm_error *error)
 {
@@ -309,6 +324,8 @@ static const struct stress_sweep sweeps[] = {
 		make_camera_range, .base = 10, .constant = 5e-3, .to = 1e5},
 	{"radius", "the light's radius", 10, 10, {0, 1e-6, 1e-4, 1e-3, .01, .1, 1, 10, 1e3, 1e6},
 		make_radius, .constant = 2e-3, .slope = .5, .to = .1},
+	{"distance", "of the light from its target", 5, 5, {100, 1e3, 1e4, 1e5, 1e6}, make_distance,
+		.base = 100, .constant = 5e-3, .to = 1e5},
 	{"width", "the fins' width (alpha -> 0)", 7, 7, {1e-9, 1e-6, 1e-4, 1e-3, .01, .1, 1},
 		make_width, .constant = 2e-3, .slope = 2, .to = .1, .is_optional = true},
 	{"gap", "of a block above the floor", 8, 8, {0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, .1},
