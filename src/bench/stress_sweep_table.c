@@ -91,8 +91,9 @@ static bool make_distance(struct stress_scene *scene, double value, struct sm_er
 	double half = tan(light->angle * M_PI / 360) * before / value;
 	(void)error;
 	for (int axis = 0; axis < 3; axis++)
-		light->position[axis] = (float)(light->target[axis] +
-			(light->position[axis] - light->target[axis]) * value / before);
+		light->position[axis] =
+			(float)(light->target[axis] +
+				(light->position[axis] - light->target[axis]) * value / before);
 	light->radius = (float)(light->radius * value / before);
 	light->angle = (float)(atan(half) * 360 / M_PI);
 	return true;
@@ -212,6 +213,8 @@ static bool make_enclosed(struct stress_scene *scene, double value, struct sm_er
 	light->position[1] = 1.25f;
 	light->position[2] = 0;
 	light->angle = 120;
+	/* The disc is inside, too. */
+	light->radius = .0625f;
 	memcpy(scene->camera.target, (float[3]){-.5f, 0, 1}, sizeof(scene->camera.target));
 	scene->camera.fov = 10;
 	return true;
@@ -242,7 +245,8 @@ static bool make_grazing(struct stress_scene *scene, double value, struct sm_err
 	light->position[0] = (float)(4 * sin(value * M_PI / 180));
 	light->position[1] = (float)(4 * cos(value * M_PI / 180));
 	light->position[2] = 0;
-	/* So small that the angle is nearly the same all over. */
+	/* So small that the angle is nearly the same all over, and from all of the light. */
+	light->radius = 1e-3f;
 	scene->objects[STRESS_FLOOR].scale[0] = scene->objects[STRESS_FLOOR].scale[2] = .25f;
 	memcpy(scene->camera.eye, (float[3]){0, .75f, 0}, sizeof(scene->camera.eye));
 	memcpy(scene->camera.target, (float[3]){0, 0, 0}, sizeof(scene->camera.target));
@@ -323,9 +327,9 @@ static const struct stress_sweep sweeps[] = {
 	{"camera range", "the camera's far : near", 6, 6, {10, 100, 1e3, 1e4, 1e5, 1e6},
 		make_camera_range, .base = 10, .constant = 5e-3, .to = 1e5},
 	{"radius", "the light's radius", 10, 10, {0, 1e-6, 1e-4, 1e-3, .01, .1, 1, 10, 1e3, 1e6},
-		make_radius, .constant = 2e-3, .slope = .5, .to = .1},
-	{"distance", "of the light from its target", 5, 5, {100, 1e3, 1e4, 1e5, 1e6}, make_distance,
-		.base = 100, .constant = 5e-3, .to = 1e5},
+		make_radius, .constant = 5e-3, .slope = .5, .to = .1},
+	{"distance", "of the light from its target", 5, 5, {1e3, 3e3, 1e4, 1e5, 1e6}, make_distance,
+		.base = 1e3, .constant = 5e-3, .to = 3e3},
 	{"width", "the fins' width (alpha -> 0)", 7, 7, {1e-9, 1e-6, 1e-4, 1e-3, .01, .1, 1},
 		make_width, .constant = 2e-3, .slope = 2, .to = .1, .is_optional = true},
 	{"gap", "of a block above the floor", 8, 8, {0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, .1},
