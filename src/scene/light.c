@@ -141,7 +141,7 @@ static struct depth_range depths_in_cone(const struct sm_light_desc *light,
 	const struct sm_scene *scene, mat4 view, bool casters_only)
 {
 	struct depth_range range = {FLT_MAX, 0.0f};
-	/* A thousandth more for rounding, here and below. */
+	/* A thousandth more for rounding. */
 	const struct screen screen = {.slope = tanf(glm_rad(light->angle) / 2.0f) * 1.001f};
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
@@ -159,11 +159,14 @@ static void spot_frame(struct light_frame *frame, const struct sm_light_desc *li
 {
 	struct depth_range casters = depths_in_cone(light, scene, view, true);
 	struct depth_range all = depths_in_cone(light, scene, view, false);
+	/* A thousandth of the range more on either side, and what distances are rounded by. */
+	float slack = fmaxf(all.far - casters.near, 0.0f) * 1e-3f + all.far * 8.0f * FLT_EPSILON;
 	/* With nothing in the cone any range will do. */
-	float far_plane = all.far * 1.001f;
+	float far_plane = all.far + slack;
 	if (!(far_plane > 0.0f && isfinite(far_plane)))
 		far_plane = 1.0f;
-	float near_plane = fmaxf(casters.near * 0.999f, far_plane * NEAR_TO_FAR_MIN);
+	float near_plane = casters.near - fminf(slack, casters.near * 1e-3f);
+	near_plane = fmaxf(near_plane, far_plane * NEAR_TO_FAR_MIN);
 	near_plane = fminf(near_plane, far_plane * 0.5f);
 	frame->near = near_plane;
 	frame->far = far_plane;
