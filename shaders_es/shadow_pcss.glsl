@@ -33,8 +33,9 @@ float shadow_visibility(vec3 p)
 	vec2 slope = receiver_slope(s);
 	float depth = receiver_depth(s, slope, lookup_reach);
 	mat2 axes = disc_axes(p);
-	// No blocker is before the near plane.
-	mat2 region = axes * (disc_scale * clamp(s.z, 0.0, 1.0));
+	// No blocker is before the near plane, and none beside the screen, which taps would miss if
+	// that plane is very near.
+	mat2 region = axes * min(disc_scale * clamp(s.z, 0.0, 1.0), 0.5);
 	float blockers = 0.0, sum = 0.0;
 	for (int i = 0; i < disc_count; i++) {
 		vec2 tap = region * disc_points[i];
