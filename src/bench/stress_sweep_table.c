@@ -329,7 +329,7 @@ static const struct stress_sweep sweeps[] = {
 	{"radius", "the light's radius", 10, 10, {0, 1e-6, 1e-4, 1e-3, .01, .1, 1, 10, 1e3, 1e6},
 		make_radius, .constant = 5e-3, .slope = .5, .to = .1},
 	{"distance", "of the light from its target", 6, 6, {100, 300, 1e3, 1e4, 1e5, 1e6},
-		make_distance, .base = 100, .constant = 2e-2, .to = 300},
+		make_distance, .base = 100, .constant = 5e-3, .to = 300},
 	{"width", "the fins' width (alpha -> 0)", 7, 7, {1e-9, 1e-6, 1e-4, 1e-3, .01, .1, 1},
 		make_width, .constant = 2e-3, .slope = 2, .to = .1, .is_optional = true},
 	{"gap", "of a block above the floor", 8, 8, {0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, .1},
