@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/facts.h"
+#include "base/json.h"
 #include <string.h>
 
 /* RFC 8259, section 6, without exponents: JSON has no leading zeros and no bare points. */
@@ -17,21 +18,6 @@ static bool is_number(const char *text)
 	return text[0] == '.' && fraction > 0 && text[1 + fraction] == '\0';
 }
 
-static void print_string(FILE *file, const char *text)
-{
-	fputc('"', file);
-	for (; *text != '\0'; text++) {
-		unsigned char c = (unsigned char)*text;
-		if (c < 0x20)
-			fprintf(file, "\\u%04x", c);
-		else if (c == '"' || c == '\\')
-			fprintf(file, "\\%c", c);
-		else
-			fputc(c, file);
-	}
-	fputc('"', file);
-}
-
 void facts_begin(struct facts *facts, FILE *file, bool json)
 {
 	*facts = (struct facts){.file = file, .json = json};
@@ -46,12 +32,12 @@ void facts_add(struct facts *facts, const char *key, const char *value)
 		return;
 	}
 	fputs(facts->count++ > 0 ? ",\n  " : "\n  ", facts->file);
-	print_string(facts->file, key);
+	json_string(facts->file, key);
 	fputs(": ", facts->file);
 	if (is_number(value))
 		fputs(value, facts->file);
 	else
-		print_string(facts->file, value);
+		json_string(facts->file, value);
 }
 
 void facts_format(struct facts *facts, const char *key, const char *format, ...)
