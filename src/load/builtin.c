@@ -2,6 +2,7 @@
 #include "load/builtin.h"
 #include "load/builtin_scene.h"
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 bool builtin_add_light(struct model *model, const struct sm_light_desc *light)
@@ -18,13 +19,14 @@ static const struct builtin {
 	const char *name;
 	bool (*scene)(struct model *);
 	struct sm_object_desc *(*solid)(struct model *);
+	bool (*sized)(struct model *, uint32_t triangles); /* NULL: it has one size */
 } builtins[] = {
 	{"cylinder", builtin_cylinder},
 	{"boxes", builtin_boxes},
 	{"fence", builtin_fence},
-	{"knot", builtin_knot},
-	{"urchin", builtin_urchin},
-	{"debris", builtin_debris},
+	{"knot", builtin_knot, .sized = builtin_sized_knot},
+	{"urchin", builtin_urchin, .sized = builtin_sized_urchin},
+	{"debris", builtin_debris, .sized = builtin_sized_debris},
 	{"primitives", builtin_primitives},
 	{"cube", .solid = builtin_cube},
 	{"sphere", .solid = builtin_sphere},
@@ -51,12 +53,31 @@ static bool report_unknown(const char *name, struct sm_error *error)
 		error, SM_ERROR_INPUT, "builtin:%.40s: no such scene; there are %s", name, known);
 }
 
+static bool build_sized(const struct builtin *builtin, const char *size, struct model *model,
+	struct sm_error *error)
+{
+	char *end;
+	unsigned long triangles = strtoul(size, &end, 10);
+	if (builtin->sized == NULL)
+		return error_set(
+			error, SM_ERROR_INPUT, "builtin:%s: it has one size", builtin->name);
+	if (*size < '0' || *size > '9' || *end != '\0' || triangles < BUILTIN_TRIANGLES_MIN ||
+		triangles > BUILTIN_TRIANGLES_MAX)
+		return error_set(error, SM_ERROR_INPUT,
+			"builtin:%s:%.40s: a number of triangles from %d to %d is wanted",
+			builtin->name, size, BUILTIN_TRIANGLES_MIN, BUILTIN_TRIANGLES_MAX);
+	return builtin->sized(model, (uint32_t)triangles) || error_no_memory(error);
+}
+
 bool builtin_build(const char *name, struct model *model, struct sm_error *error)
 {
+	size_t length = strcspn(name, ":");
 	for (size_t i = 0; i < builtin_count; i++) {
 		const struct builtin *builtin = &builtins[i];
-		if (strcmp(builtin->name, name) != 0)
+		if (strlen(builtin->name) != length || strncmp(builtin->name, name, length) != 0)
 			continue;
+		if (name[length] == ':')
+			return build_sized(builtin, name + length + 1, model, error);
 		bool ok = builtin->scene != NULL
 				  ? builtin->scene(model)
 				  : model_reserve(model, 1, 1) && builtin->solid(model) != NULL;

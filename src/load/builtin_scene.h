@@ -17,6 +17,12 @@ bool builtin_knot(struct model *model);
 bool builtin_urchin(struct model *model);
 bool builtin_debris(struct model *model);
 
+/* The same shapes of another number of triangles, within 2 % from 20,000 on. The debris is one
+ * object, its slabs the smaller the more there are. triangles: BUILTIN_TRIANGLES_MIN to _MAX. */
+bool builtin_sized_knot(struct model *model, uint32_t triangles);
+bool builtin_sized_urchin(struct model *model, uint32_t triangles);
+bool builtin_sized_debris(struct model *model, uint32_t triangles);
+
 /** A still life of the solids below, 9,388 triangles. */
 bool builtin_primitives(struct model *model);
 

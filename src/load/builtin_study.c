@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "base/array.h"
 #include "load/builtin_scene.h"
 #include "load/solid.h"
 #include <cglm/cglm.h>
+#include <stdlib.h>
 
 /* The scenes were laid out with z up: x right, y away, z up. */
 static void from_z_up(float x, float y, float z, float point[3])
@@ -116,12 +118,25 @@ static void knot_curve(float t, float point[3])
 	from_z_up(reach * cosf(2 * t), reach * sinf(2 * t), -scale * sinf(3 * t), point);
 }
 
-bool builtin_knot(struct model *model)
+static bool knot_of(struct model *model, uint32_t segments, uint32_t sides)
 {
 	return model_reserve(model, 1, 1) &&
-	       paint(solid_tube(model, (vec3){0, 1.2f, 0}, knot_curve, .15f, 256, 24), "knot",
-		       steel) &&
+	       paint(solid_tube(model, (vec3){0, 1.2f, 0}, knot_curve, .15f, segments, sides),
+		       "knot", steel) &&
 	       finish_study(model, (vec3){-2.2f, 3.6f, 4.2f}, (vec3){-.2f, .4f, -.2f});
+}
+
+bool builtin_knot(struct model *model)
+{
+	return knot_of(model, 256, 24);
+}
+
+bool builtin_sized_knot(struct model *model, uint32_t triangles)
+{
+	/* 2 a quad, in the proportions of the above. */
+	float quads = (float)triangles / 2;
+	float sides = fmaxf(3, roundf(sqrtf(quads * 24 / 256)));
+	return knot_of(model, (uint32_t)fmaxf(3, roundf(quads / sides)), (uint32_t)sides);
 }
 
 /** xorshift32 (Marsaglia 2003, "Xorshift RNGs"); its upper 24 bits as a number in [0, 1). */
@@ -149,10 +164,9 @@ static float urchin_radius(const void *data, const float direction[3])
 	return (float)radius;
 }
 
-bool builtin_urchin(struct model *model)
+static void place_spikes(double spikes[SPIKES][3])
 {
 	const double golden_angle = 2.399963; /* spreads the azimuths evenly */
-	double spikes[SPIKES][3];
 	uint32_t random = 7;
 	for (int i = 0; i < SPIKES; i++) {
 		double z = 1 - 2 * (i + .5) / SPIKES, level = sqrt(1 - z * z);
@@ -161,11 +175,33 @@ bool builtin_urchin(struct model *model)
 		spikes[i][1] = z;
 		spikes[i][2] = -level * sin(azimuth);
 	}
+}
+
+static bool finish_urchin(struct model *model, struct sm_object_desc *object)
+{
+	return paint(object, "urchin", plum) &&
+	       finish_study(model, (vec3){-2.2f, 3.6f, 4.2f}, (vec3){-.2f, .5f, -.2f});
+}
+
+bool builtin_urchin(struct model *model)
+{
+	double spikes[SPIKES][3];
 	vec3 center;
+	place_spikes(spikes);
 	from_z_up(.1f, -.1f, 1.1f, center);
 	return model_reserve(model, 1, 1) &&
-	       paint(solid_icosphere(model, center, 5, urchin_radius, spikes), "urchin", plum) &&
-	       finish_study(model, (vec3){-2.2f, 3.6f, 4.2f}, (vec3){-.2f, .5f, -.2f});
+	       finish_urchin(model, solid_icosphere(model, center, 5, urchin_radius, spikes));
+}
+
+bool builtin_sized_urchin(struct model *model, uint32_t triangles)
+{
+	double spikes[SPIKES][3];
+	vec3 center;
+	place_spikes(spikes);
+	from_z_up(.1f, -.1f, 1.1f, center);
+	uint32_t splits = (uint32_t)roundf(sqrtf((float)triangles / 8));
+	return model_reserve(model, 1, 1) &&
+	       finish_urchin(model, solid_octasphere(model, center, splits, urchin_radius, spikes));
 }
 
 static void random_vector(uint32_t *random, vec3 vector)
@@ -175,9 +211,10 @@ static void random_vector(uint32_t *random, vec3 vector)
 }
 
 /** A thin slab, anywhere in a block about (0, 0, 1.3), turned any way. */
-static struct sm_object_desc *random_slab(struct model *model, uint32_t *random)
+static struct solid_box_desc random_slab(uint32_t *random, float scale)
 {
-	vec3 center, first, second, axes[3], turned[3];
+	struct solid_box_desc box;
+	vec3 center, first, second, axes[3];
 	random_vector(random, center);
 	random_vector(random, first);
 	random_vector(random, second);
@@ -187,19 +224,45 @@ static struct sm_object_desc *random_slab(struct model *model, uint32_t *random)
 	glm_vec3_scale(axes[0], .12f * (.4f + next_random(random)), axes[0]);
 	glm_vec3_scale(axes[1], .12f * (.4f + next_random(random)), axes[1]);
 	glm_vec3_scale(axes[2], .018f, axes[2]);
-	for (int i = 0; i < 3; i++)
-		from_z_up(axes[i][0], axes[i][1], axes[i][2], turned[i]);
-	from_z_up(2.4f * center[0], 2 * center[1], 1.3f + 2 * center[2], center);
-	return solid_box(model, center, turned);
+	for (int i = 0; i < 3; i++) {
+		from_z_up(axes[i][0], axes[i][1], axes[i][2], box.half_axes[i]);
+		glm_vec3_scale(box.half_axes[i], scale, box.half_axes[i]);
+	}
+	from_z_up(2.4f * center[0], 2 * center[1], 1.3f + 2 * center[2], box.center);
+	return box;
+}
+
+enum { SLABS = 160 };
+
+static bool finish_debris(struct model *model)
+{
+	return finish_study(model, (vec3){-2.2f, 3.6f, 4.2f}, (vec3){-.35f, .2f, -.2f});
 }
 
 bool builtin_debris(struct model *model)
 {
-	enum { SLABS = 160 };
 	static const float *const colors[] = {clay, straw, chalk, steel, moss};
 	uint32_t random = 11;
 	bool ok = model_reserve(model, SLABS, SLABS);
-	for (int i = 0; ok && i < SLABS; i++)
-		ok = paint(random_slab(model, &random), "slab", colors[i % 5]);
-	return ok && finish_study(model, (vec3){-2.2f, 3.6f, 4.2f}, (vec3){-.35f, .2f, -.2f});
+	for (int i = 0; ok && i < SLABS; i++) {
+		struct solid_box_desc slab = random_slab(&random, 1);
+		ok = paint(solid_boxes(model, &slab, 1), "slab", colors[i % 5]);
+	}
+	return ok && finish_debris(model);
+}
+
+bool builtin_sized_debris(struct model *model, uint32_t triangles)
+{
+	uint32_t random = 11, count = (triangles + 6) / 12;
+	/* As dense as the above. */
+	float scale = cbrtf((float)SLABS / (float)count);
+	struct solid_box_desc *slabs = array_alloc(count, sizeof(*slabs));
+	if (slabs == NULL)
+		return false;
+	for (uint32_t i = 0; i < count; i++)
+		slabs[i] = random_slab(&random, scale);
+	bool ok = model_reserve(model, 1, 1) &&
+		  paint(solid_boxes(model, slabs, count), "slabs", clay) && finish_debris(model);
+	free(slabs);
+	return ok;
 }

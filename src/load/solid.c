@@ -61,27 +61,45 @@ static struct sm_object_desc *surface_finish(const struct surface *surface, stru
 	return object;
 }
 
-struct sm_object_desc *solid_box(
-	struct model *model, const float center[3], const float half_axes[3][3])
+static void add_box(struct surface *surface, const struct solid_box_desc *box)
 {
 	/* Corner i lies on the positive side of the axes whose bits are set in i. */
 	static const uint8_t quads[6][4] = {
 		{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-	struct surface surface;
-	if (!surface_init(&surface, model, 8, 12, false))
-		return NULL;
+	uint32_t first = (uint32_t)surface->vertex_count;
 	for (int i = 0; i < 8; i++) {
 		float corner[3];
-		memcpy(corner, center, sizeof(corner));
+		memcpy(corner, box->center, sizeof(corner));
 		for (int axis = 0; axis < 3; axis++)
-			glm_vec3_muladds((float *)half_axes[axis], i >> axis & 1 ? 1 : -1, corner);
-		add_vertex(&surface, corner);
+			glm_vec3_muladds(
+				(float *)box->half_axes[axis], i >> axis & 1 ? 1 : -1, corner);
+		add_vertex(surface, corner);
 	}
 	for (int i = 0; i < 6; i++) {
-		add_triangle(&surface, quads[i][0], quads[i][1], quads[i][2]);
-		add_triangle(&surface, quads[i][0], quads[i][2], quads[i][3]);
+		const uint8_t *quad = quads[i];
+		add_triangle(surface, first + quad[0], first + quad[1], first + quad[2]);
+		add_triangle(surface, first + quad[0], first + quad[2], first + quad[3]);
 	}
+}
+
+struct sm_object_desc *solid_boxes(
+	struct model *model, const struct solid_box_desc *boxes, size_t count)
+{
+	struct surface surface;
+	if (!surface_init(&surface, model, 8 * count, 12 * count, false))
+		return NULL;
+	for (size_t i = 0; i < count; i++)
+		add_box(&surface, &boxes[i]);
 	return surface_finish(&surface, model);
+}
+
+struct sm_object_desc *solid_box(
+	struct model *model, const float center[3], const float half_axes[3][3])
+{
+	struct solid_box_desc box;
+	memcpy(box.center, center, sizeof(box.center));
+	memcpy(box.half_axes, half_axes, sizeof(box.half_axes));
+	return solid_boxes(model, &box, 1);
 }
 
 /** A ring of vertices, the first at +x and the second towards -z: counter-clockwise from above. */
@@ -258,6 +276,17 @@ static void add_icosahedron(struct surface *surface)
 		add_triangle(surface, faces[i][0], faces[i][1], faces[i][2]);
 }
 
+/** Pushes the vertices of a sphere about the origin, of radius 1, to where they belong. */
+static void place_sphere(
+	struct surface *surface, const float center[3], solid_radius radius, const void *data)
+{
+	for (size_t i = 0; i < surface->vertex_count; i++) {
+		float *position = surface->positions[i];
+		glm_vec3_scale(position, radius(data, position), position);
+		glm_vec3_add(position, (float *)center, position);
+	}
+}
+
 struct sm_object_desc *solid_icosphere(struct model *model, const float center[3], uint32_t levels,
 	solid_radius radius, const void *data)
 {
@@ -270,12 +299,78 @@ struct sm_object_desc *solid_icosphere(struct model *model, const float center[3
 	for (uint32_t level = 0; level < levels; level++)
 		if (!split_faces(&surface))
 			return NULL;
-	for (size_t i = 0; i < surface.vertex_count; i++) {
-		float *position = surface.positions[i];
-		glm_vec3_scale(position, radius(data, position), position);
-		glm_vec3_add(position, (float *)center, position);
-	}
+	place_sphere(&surface, center, radius, data);
 	if (levels > 0)
 		smooth_normals(&surface);
+	return surface_finish(&surface, model);
+}
+
+/** Rings of an octahedron, split: ring i of 0 .. 2 * splits has 4 vertices for each step that the
+ *  nearer tip is away, the first at +x and the next ones towards -z, and the tips have one. */
+static uint32_t ring_steps(uint32_t ring, uint32_t splits)
+{
+	return ring <= splits ? ring : 2 * splits - ring;
+}
+
+static void add_octahedron_ring(struct surface *surface, uint32_t ring, uint32_t splits)
+{
+	static const float corners[5][2] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}, {1, 0}};
+	uint32_t steps = ring_steps(ring, splits);
+	float height = 1 - (float)ring / (float)splits;
+	for (uint32_t i = 0; i < 4 * steps || i == 0; i++) {
+		vec3 position = {0, height, 0};
+		if (steps > 0) {
+			const float *a = corners[i / steps], *b = corners[i / steps + 1];
+			float from = (float)(steps - i % steps) / (float)splits;
+			float to = (float)(i % steps) / (float)splits;
+			position[0] = from * a[0] + to * b[0];
+			position[2] = from * a[1] + to * b[1];
+		}
+		glm_vec3_normalize(position);
+		add_vertex(surface, position);
+	}
+}
+
+/** The triangles between a ring of `steps` and its wider neighbour, from the first of each. */
+static void add_octahedron_band(
+	struct surface *surface, uint32_t narrow, uint32_t wide, uint32_t steps)
+{
+	bool narrow_above = narrow < wide;
+	uint32_t narrow_count = steps > 0 ? 4 * steps : 1, wide_count = 4 * (steps + 1);
+	for (uint32_t quarter = 0; quarter < 4; quarter++) {
+		for (uint32_t i = 0; i <= steps; i++) {
+			uint32_t n = narrow + (quarter * steps + i) % narrow_count;
+			uint32_t n_next = narrow + (quarter * steps + i + 1) % narrow_count;
+			uint32_t w = wide + quarter * (steps + 1) + i;
+			uint32_t w_next = wide + (quarter * (steps + 1) + i + 1) % wide_count;
+			add_triangle(
+				surface, n, narrow_above ? w : w_next, narrow_above ? w_next : w);
+			if (i < steps)
+				add_triangle(surface, w_next, narrow_above ? n_next : n,
+					narrow_above ? n : n_next);
+		}
+	}
+}
+
+struct sm_object_desc *solid_octasphere(struct model *model, const float center[3], uint32_t splits,
+	solid_radius radius, const void *data)
+{
+	size_t faces = (size_t)8 * splits * splits;
+	struct surface surface;
+	if (!surface_init(&surface, model, faces / 2 + 2, faces, true))
+		return NULL;
+	uint32_t first = 0;
+	add_octahedron_ring(&surface, 0, splits);
+	for (uint32_t ring = 1; ring <= 2 * splits; ring++) {
+		uint32_t next = (uint32_t)surface.vertex_count;
+		add_octahedron_ring(&surface, ring, splits);
+		if (ring <= splits)
+			add_octahedron_band(&surface, first, next, ring - 1);
+		else
+			add_octahedron_band(&surface, next, first, 2 * splits - ring);
+		first = next;
+	}
+	place_sphere(&surface, center, radius, data);
+	smooth_normals(&surface);
 	return surface_finish(&surface, model);
 }

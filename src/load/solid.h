@@ -14,6 +14,14 @@
 struct sm_object_desc *solid_box(
 	struct model *model, const float center[3], const float half_axes[3][3]);
 
+struct solid_box_desc {
+	float center[3], half_axes[3][3]; /**< as of solid_box() */
+};
+
+/** Many boxes as one mesh. */
+struct sm_object_desc *solid_boxes(
+	struct model *model, const struct solid_box_desc *boxes, size_t count);
+
 /** A point of a profile, and the normal of the surface there; both turn about the y axis. */
 struct solid_point {
 	float radius, y;
@@ -41,6 +49,11 @@ typedef float (*solid_radius)(const void *data, const float direction[3]);
 /** Icosahedron whose faces are split in four `levels` times and pushed out to the radius; flat
  *  without levels, smooth with them. */
 struct sm_object_desc *solid_icosphere(struct model *model, const float center[3], uint32_t levels,
+	solid_radius radius, const void *data);
+
+/** Octahedron whose faces are split in splits * splits and pushed out to the radius: 8 * splits *
+ *  splits triangles, smooth. splits: 1 to 10000. */
+struct sm_object_desc *solid_octasphere(struct model *model, const float center[3], uint32_t splits,
 	solid_radius radius, const void *data);
 
 #endif

@@ -250,6 +250,72 @@ static void primitives_have_their_size(void **state)
 	model_destroy(model);
 }
 
+static void sized_scenes_have_their_size_and_are_closed(void **state)
+{
+	static const char *const names[] = {"knot", "urchin", "debris"};
+	static const uint32_t sizes[] = {100, 1000, 26000, 51000, 300000};
+	(void)state;
+	for (size_t i = 0; i < 3 * sizeof(sizes) / sizeof(*sizes); i++) {
+		static const char *const settings[] = {"ground.show=no"};
+		uint32_t size = sizes[i / 3];
+		struct stage stage;
+		struct sm_error error;
+		struct sm_mesh_stats stats;
+		char source[64];
+		snprintf(source, sizeof(source), "builtin:%s:%u", names[i % 3], size);
+		if (!stage_load(&stage, source, settings, 1, &error))
+			fail_msg("%s", error.text);
+		assert_int_equal(sm_scene_mesh_count(stage.scene), 1);
+		sm_scene_get_mesh_stats(stage.scene, 0, &stats);
+		/* Rounded splits and sides are coarse for few triangles. */
+		double allowed = size >= 20000 ? .02 : .3;
+		if (fabs((double)stats.triangles / size - 1) > allowed)
+			fail_msg("%s has %zu triangles", source, stats.triangles);
+		assert_int_equal(stats.open_edges + stats.non_manifold_edges, 0);
+		assert_int_equal(stats.inverted_edges + stats.degenerate_triangles, 0);
+		assert_int_equal(2 * stats.edges, 3 * stats.triangles);
+		stage_finish(&stage);
+	}
+}
+
+static void sized_surfaces_look_outwards(void **state)
+{
+	static const char *const names[] = {"knot:1000", "urchin:26000", "debris:1000"};
+	(void)state;
+	for (size_t i = 0; i < 3; i++) {
+		struct model *model = model_create(NULL);
+		assert_true(builtin_build(names[i], model, NULL));
+		check_surface(names[i], &model->meshes[0]);
+		model_destroy(model);
+	}
+}
+
+static void sizes_that_are_none_are_refused(void **state)
+{
+	static const struct {
+		const char *name, *text;
+	} cases[] = {
+		{"cube:500", "builtin:cube: it has one size"},
+		{"knot:99", "builtin:knot:99: a number of triangles from 100 to 4000000 is wanted"},
+		{"knot:4000001", "builtin:knot:4000001: a number of triangles from 100 to 4000000 "
+				 "is wanted"},
+		{"urchin:", "builtin:urchin:: a number of triangles from 100 to 4000000 is wanted"},
+		{"debris:-500",
+			"builtin:debris:-500: a number of triangles from 100 to 4000000 is wanted"},
+		{"debris:500k",
+			"builtin:debris:500k: a number of triangles from 100 to 4000000 is wanted"},
+	};
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(*cases); i++) {
+		struct model *model = model_create(NULL);
+		struct sm_error error;
+		assert_false(builtin_build(cases[i].name, model, &error));
+		assert_int_equal(error.status, SM_ERROR_INPUT);
+		assert_string_equal(error.text, cases[i].text);
+		model_destroy(model);
+	}
+}
+
 static void an_unknown_name_lists_the_known(void **state)
 {
 	(void)state;
@@ -271,6 +337,9 @@ int main(void)
 		cmocka_unit_test(solids_stand_in_a_unit_cube),
 		cmocka_unit_test(all_but_the_ground_is_closed),
 		cmocka_unit_test(primitives_have_their_size),
+		cmocka_unit_test(sized_scenes_have_their_size_and_are_closed),
+		cmocka_unit_test(sized_surfaces_look_outwards),
+		cmocka_unit_test(sizes_that_are_none_are_refused),
 		cmocka_unit_test(an_unknown_name_lists_the_known),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
