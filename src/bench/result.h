@@ -46,6 +46,7 @@ struct result {
 	uint32_t width, height; /* of the picture the error is of */
 	uint32_t time_width, time_height;
 	uint32_t triangles;
+	char machine[160]; /* what times depend on: processor and driver, see run_facts_machine() */
 	struct error_summary error[REGIONS];
 	double flicker; /* mean |change of v - change of reference| a frame, under a slow light;
 			   NAN: not measured */
@@ -60,5 +61,11 @@ struct result_list {
 	struct result *items; /* owned */
 	size_t count, capacity;
 };
+
+/** Copies *result to the end. Fails (MACHINE) when out of memory. */
+bool result_list_add(struct result_list *list, const struct result *result, struct sm_error *error);
+
+/** Frees what the list holds. */
+void result_list_finish(struct result_list *list);
 
 #endif

@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT */
+#include "bench/html.h"
+#include "bench/column.h"
+#include "bench/difference.h"
+#include "bench/mean.h"
+#include <math.h>
+
+static const char style[] =
+	":root{color-scheme:light dark;--back:#fff;--text:#1f2328;--soft:#5b636d;--line:#d8dce1;"
+	"--best:#e3f4e8;--link:#0058a8}\n"
+	"@media(prefers-color-scheme:dark){:root{--back:#15181d;--text:#e4e7eb;--soft:#9aa3ae;"
+	"--line:#343a43;--best:#1d3a28;--link:#7db8f0}\n"
+	"img.plot{filter:invert(.92) hue-rotate(180deg)}}\n"
+	"*{box-sizing:border-box}\n"
+	"body{margin:0 auto;max-width:80rem;padding:1rem 1.25rem 4rem;background:var(--back);"
+	"color:var(--text);font:1rem/1.5 system-ui,sans-serif}\n"
+	"h1{font-size:1.7rem;line-height:1.2;margin:1rem 0 .25rem}\n"
+	"h2{font-size:1.3rem;margin:2.5rem 0 .5rem}\n"
+	"h3{font-size:1.1rem;margin:2rem 0 .25rem;border-top:1px solid var(--line);"
+	"padding-top:1rem}\n"
+	"h4{font-size:1rem;margin:1.25rem 0 .25rem}\n"
+	"p{margin:.25rem 0 .75rem;max-width:46rem}\n"
+	"a{color:var(--link)}\n"
+	".soft,caption,figcaption{color:var(--soft);font-size:.875rem}\n"
+	"figure{margin:.5rem 0;overflow-x:auto}\n"
+	"img{max-width:100%;height:auto;display:block}img.plot{min-width:36rem}\n"
+	".scroll{overflow-x:auto;margin:.5rem 0 1rem}\n"
+	"table{border-collapse:collapse;font-size:.875rem;font-variant-numeric:tabular-nums}\n"
+	"caption{text-align:left;padding-bottom:.25rem}\n"
+	"th,td{padding:.2rem .45rem;text-align:right;white-space:nowrap;"
+	"border-bottom:1px solid var(--line)}\n"
+	"thead th{font-weight:600;color:var(--soft)}\n"
+	"th:first-child{text-align:left;font-weight:500}\n"
+	".scroll th:first-child{position:sticky;left:0;background:var(--back)}\n"
+	"td.best{background:var(--best)}\n"
+	"td.left{text-align:left;white-space:normal;overflow-wrap:anywhere}\n"
+	".bars{width:100%;max-width:46rem}.bars td:nth-child(2){width:100%;padding:.2rem 0}\n"
+	".bars th,.bars td{border:0}.bar{display:flex;height:.9rem}\n"
+	".legend span{margin-right:1rem;white-space:nowrap;font-size:.875rem}"
+	".legend i{display:inline-block;width:.8rem;height:.8rem;margin-right:.35rem;"
+	"vertical-align:-.05rem}\n"
+	".p0{background:#4c78a8}.p1{background:#e08a3c}.p2{background:#4f9e77}.p3{background:"
+	"#b65b8a}.p4{background:#8c7bc4}.p5{background:#a8883a}.p6{background:#3f9fb0}"
+	".p7{background:#8a8f98}\n"
+	".differences{display:grid;gap:.75rem;"
+	"grid-template-columns:repeat(auto-fill,minmax(min(100%,26rem),1fr))}\n"
+	".scale{font-size:.875rem;color:var(--soft)}.scale i{display:inline-block;width:10rem;"
+	"height:.8rem;margin:0 .4rem;vertical-align:-.1rem;background:linear-gradient(90deg";
+
+void html_text(const char *text, FILE *file)
+{
+	for (; *text != '\0'; text++)
+		switch (*text) {
+		case '&':
+			fputs("&amp;", file);
+			break;
+		case '<':
+			fputs("&lt;", file);
+			break;
+		case '>':
+			fputs("&gt;", file);
+			break;
+		case '"':
+			fputs("&quot;", file);
+			break;
+		default: /* controls are no text */
+			fputc((unsigned char)*text < 0x20 ? ' ' : *text, file);
+		}
+}
+
+void html_write_plot(const struct contents *contents, const struct result *setting,
+	const struct result *scene, FILE *file)
+{
+	char svg[FILE_NAME_MAX], png[FILE_NAME_MAX];
+	if (!has_plot(contents, setting, scene))
+		return;
+	plot_file_name(contents, setting, scene, "svg", svg);
+	plot_file_name(contents, setting, scene, "png", png);
+	fprintf(file,
+		"<figure><img class=\"plot\" src=\"%s\" width=\"900\" height=\"600\" alt=\"Error "
+		"in penumbrae against time of a frame, by technique; the table tells the "
+		"numbers\"><figcaption>The line joins what nothing else beats in both. "
+		"<a href=\"%s\">PNG</a></figcaption></figure>\n",
+		svg, png);
+}
+
+/* The colours of difference pictures as stops of a gradient. */
+static void write_style(FILE *file)
+{
+	fputs("<style>\n", file);
+	fputs(style, file);
+	for (int i = -4; i <= 4; i++) {
+		uint8_t rgb[3];
+		difference_color((float)i / 4 * DIFFERENCE_FULL, rgb);
+		fprintf(file, ",#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
+	}
+	fputs(")}\n</style>\n", file);
+}
+
+static void write_number(const char *format, double value, FILE *file)
+{
+	fputs("<td>", file);
+	if (isnan(value))
+		fputc('-', file);
+	else
+		fprintf(file, format, value);
+	fputs("</td>", file);
+}
+
+static void write_means(const struct contents *contents, const struct result *setting, FILE *file)
+{
+	char text[160];
+	setting_describe(setting, text, sizeof(text));
+	fputs("<div class=\"scroll\"><table>\n<caption>Means over scenes; ", file);
+	html_text(text, file);
+	fputs("</caption>\n<thead><tr><th scope=\"col\">technique</th><th scope=\"col\">scenes</th>"
+	      "<th scope=\"col\">RMSE</th><th scope=\"col\">bias</th><th scope=\"col\">p99</th>"
+	      "<th scope=\"col\">flicker</th><th scope=\"col\">ms</th><th scope=\"col\">ms / "
+	      "hard</th></tr></thead>\n<tbody>\n",
+		file);
+	for (size_t i = 0; i < contents->techniques.count; i++) {
+		const struct result *technique = contents->techniques.items[i];
+		struct mean mean = mean_of(contents->results, setting, technique, NULL);
+		if (mean.scenes == 0)
+			continue;
+		fputs("<tr><th scope=\"row\">", file);
+		html_text(technique->technique, file);
+		fprintf(file, "</th><td>%zu</td>", mean.scenes);
+		write_number("%.4f", mean.rmse, file);
+		write_number("%+.4f", mean.bias, file);
+		write_number("%.4f", mean.p99, file);
+		write_number("%.4f", mean.flicker, file);
+		write_number("%.2f", mean.ms, file);
+		write_number("%.2f", mean.ratio, file);
+		fputs("</tr>\n", file);
+	}
+	fputs("</tbody></table></div>\n", file);
+}
+
+static void write_overview(const struct contents *contents, FILE *file)
+{
+	html_write_plot(contents, contents->main, NULL, file);
+	write_means(contents, contents->main, file);
+	fputs("<p class=\"soft\">Errors are of visibility, linear from 0 to 1, against a "
+	      "ray-traced "
+	      "reference, in pixels that see a part of the light. Times are geometric means; of "
+	      "everything else less is better, but for bias, which is best at 0 and above it too "
+	      "bright.</p>\n",
+		file);
+	for (size_t i = 0; i < contents->settings.count; i++) {
+		const struct result *setting = contents->settings.items[i];
+		char text[160];
+		if (setting == contents->main)
+			continue;
+		setting_describe(setting, text, sizeof(text));
+		fputs("<details><summary>", file);
+		html_text(text, file);
+		fputs("</summary>\n", file);
+		html_write_plot(contents, setting, NULL, file);
+		write_means(contents, setting, file);
+		fputs("</details>\n", file);
+	}
+}
+
+static void write_scenes(const struct contents *contents, FILE *file)
+{
+	fputs("<h2 id=\"scenes\">Scenes</h2>\n<nav><p>", file);
+	for (size_t i = 0; i < contents->scenes.count; i++) {
+		fprintf(file, "%s<a href=\"#scene-%zu\">", i > 0 ? " &middot; " : "", i);
+		html_text(contents->scenes.items[i]->scene, file);
+		fputs("</a>", file);
+	}
+	fputs("</p></nav>\n<p class=\"soft\">The best of each column is marked.</p>\n", file);
+	for (size_t i = 0; i < contents->scenes.count; i++)
+		html_write_scene(contents, contents->scenes.items[i], file);
+}
+
+static void write_pair(const char *key, const char *value, FILE *file)
+{
+	fputs("<tr><th scope=\"row\">", file);
+	html_text(key, file);
+	fputs("</th><td class=\"left\">", file);
+	html_text(value, file);
+	fputs("</td></tr>\n", file);
+}
+
+static void write_facts(const struct run_facts *facts, FILE *file)
+{
+	fputs("<h2 id=\"repeat\">How to repeat it</h2>\n<p>At commit <code>", file);
+	html_text(run_facts_get(facts, "commit"), file);
+	fputs("</code>:</p>\n<div class=\"scroll\"><pre><code>", file);
+	html_text(run_facts_get(facts, "command"), file);
+	fputs("</code></pre></div>\n<h2 id=\"machine\">Machine, driver, settings</h2>\n"
+	      "<div class=\"scroll\"><table><tbody>\n",
+		file);
+	for (size_t i = 0; i < facts->count; i++)
+		write_pair(facts->items[i].key, facts->items[i].value, file);
+	fputs("</tbody></table></div>\n", file);
+}
+
+static void write_columns(FILE *file)
+{
+	fputs("<details><summary>Columns of results.csv</summary>\n<div class=\"scroll\"><table>"
+	      "<tbody>\n",
+		file);
+	for (size_t i = 0; column_at(i) != NULL; i++)
+		write_pair(column_at(i)->name, column_at(i)->help, file);
+	fputs("</tbody></table></div></details>\n", file);
+}
+
+void html_write(const struct contents *contents, FILE *file)
+{
+	fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+	      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
+	      "<title>smoothie bench</title>\n",
+		file);
+	write_style(file);
+	fputs("</head>\n<body>\n<h1>Soft shadows: error against time</h1>\n<p class=\"soft\">",
+		file);
+	html_text(run_facts_get(contents->facts, "date"), file);
+	fprintf(file,
+		"; techniques: %zu, scenes: %zu, results: %zu, as <a href=\"results.csv\">CSV</a> "
+		"and <a href=\"results.json\">JSON</a></p>\n",
+		contents->techniques.count, contents->scenes.count, contents->results->count);
+	if (contents->main != NULL) {
+		fputs("<p class=\"soft\">", file);
+		html_text(contents->main->machine, file);
+		fputs("</p>\n", file);
+		write_overview(contents, file);
+		write_scenes(contents, file);
+	} else {
+		fputs("<p>Nothing was measured.</p>\n", file);
+	}
+	write_facts(contents->facts, file);
+	write_columns(file);
+	fputs("</body>\n</html>\n", file);
+}
