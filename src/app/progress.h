@@ -5,10 +5,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** A bar on stderr for work of several steps. It shows only on a terminal, and only once the work
- *  has taken two seconds. */
+/** A bar on stderr for work of several steps, with the time that is left. It shows only on a
+ * terminal, and only once the work has taken two seconds. */
 struct progress {
-	double start; /* ms of the monotonic clock */
+	double start, last; /* ms of the monotonic clock: of the work, and of the bar as it is */
 	uint32_t total;
 	bool enabled, shown;
 };

@@ -121,11 +121,8 @@ static bool check_options(const struct render_options *options, struct sm_error 
 /* "models/horse.3ds" and "builtin:horse" give "horse.png". */
 static char *default_output(const char *scene)
 {
-	const char *colon = strchr(scene, ':');
-	const char *slash = strrchr(scene, '/');
-	const char *name = slash != NULL ? slash + 1 : colon != NULL ? colon + 1 : scene;
-	const char *dot = strrchr(name, '.');
-	size_t length = dot != NULL && dot != name ? (size_t)(dot - name) : strlen(name);
+	size_t length;
+	const char *name = scene_name(scene, &length);
 	char *output = array_alloc(length + sizeof(".png"), 1);
 	if (output != NULL)
 		sprintf(output, "%.*s.png", (int)length, name);

@@ -3,6 +3,7 @@
 #include "base/array.h"
 #include <getopt.h>
 #include <stdlib.h>
+#include <string.h>
 
 bool scene_options_init(struct scene_options *options, int argc, struct sm_error *error)
 {
@@ -48,6 +49,16 @@ bool scene_options_argument(struct scene_options *options, const struct command 
 			error, command, "one SCENE is wanted, not also %.200s", argv[optind + 1]);
 	options->scene = argv[optind];
 	return true;
+}
+
+const char *scene_name(const char *scene, size_t *length)
+{
+	const char *colon = strchr(scene, ':');
+	const char *slash = strrchr(scene, '/');
+	const char *name = slash != NULL ? slash + 1 : colon != NULL ? colon + 1 : scene;
+	const char *dot = strrchr(name, '.');
+	*length = dot != NULL && dot != name ? (size_t)(dot - name) : strlen(name);
+	return name;
 }
 
 bool scene_options_load(

@@ -44,6 +44,10 @@ bool scene_options_flag(struct scene_options *options, const struct command *com
 bool scene_options_argument(struct scene_options *options, const struct command *command, int argc,
 	char **argv, struct sm_error *error);
 
+/** The name of a SCENE without folder, "builtin:" and extension: "horse" of "models/horse.3ds". It
+ *  is in the text, *length characters long. */
+const char *scene_name(const char *scene, size_t *length);
+
 /** Loads the scene, as changed by the options. */
 bool scene_options_load(
 	const struct scene_options *options, struct stage *stage, struct sm_error *error);
