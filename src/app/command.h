@@ -23,6 +23,7 @@ struct command {
 	bool (*run)(int argc, char **argv, struct sm_error *error);
 };
 
+extern const struct command bench_command;
 extern const struct command info_command;
 extern const struct command render_command;
 extern const struct command show_command;

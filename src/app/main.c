@@ -7,7 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const struct command *const commands[] = {&render_command, &show_command, &info_command};
+static const struct command *const commands[] = {
+	&render_command, &show_command, &bench_command, &info_command};
 static const size_t command_count = sizeof(commands) / sizeof(commands[0]);
 
 static void print_usage(void)

@@ -138,6 +138,15 @@ bool options_number(const char *text, uint32_t min, uint32_t max, uint32_t *valu
 	return read_number(&text, '\0', max, value) && *value >= min;
 }
 
+/* strtod() alone would also take spaces, hexadecimal digits and names of what is not finite. */
+bool options_real(const char *text, double min, double max, double *value)
+{
+	char *end;
+	*value = strtod(text, &end);
+	return end != text && text[strspn(text, "+-.0123456789eE")] == '\0' && *end == '\0' &&
+	       *value >= min && *value <= max;
+}
+
 bool options_rate(const char *text, uint32_t *numerator, uint32_t *denominator)
 {
 	*denominator = 1;

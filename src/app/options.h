@@ -55,6 +55,9 @@ bool options_error(struct sm_error *error, const struct command *command, const 
 /** A decimal number within [min, max], and nothing else. */
 bool options_number(const char *text, uint32_t min, uint32_t max, uint32_t *value);
 
+/** A decimal number within [min, max], such as ".03" or "3e-2", and nothing else. */
+bool options_real(const char *text, double min, double max, double *value);
+
 /** A rate "N" or "N/D", each from 1 to 2^31 - 1, that is from 0.001 to 1000. */
 bool options_rate(const char *text, uint32_t *numerator, uint32_t *denominator);
 

@@ -115,6 +115,17 @@ bool target_read(const struct target *target, uint8_t *rgba, struct sm_error *er
 		       "reading the picture back fails (GL error 0x%04x)", code);
 }
 
+void target_decode_visibility(const struct target *target, const uint8_t *rgba, float *seen)
+{
+	uint32_t width = target->width, height = target->height;
+	for (uint32_t y = 0; y < height; y++) {
+		const uint8_t *row = rgba + 4 * (size_t)width * (height - 1 - y);
+		for (uint32_t x = 0; x < width; x++)
+			seen[(size_t)y * width + x] =
+				(float)(row[4 * x] * 256 + row[4 * x + 1]) / 65535.0f;
+	}
+}
+
 void target_finish(struct target *target)
 {
 	if (target->framebuffer != 0) {

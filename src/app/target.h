@@ -30,6 +30,9 @@ void target_resolve(const struct target *target);
 /** Reads width x height pixels as R,G,B,A bytes, rows from the bottom, when all is resolved. */
 bool target_read(const struct target *target, uint8_t *rgba, struct sm_error *error);
 
+/** Makes what target_read() got of a visibility shares of the light, rows from the top. */
+void target_decode_visibility(const struct target *target, const uint8_t *rgba, float *seen);
+
 /** Deletes what init, complete or not, has made. */
 void target_finish(struct target *target);
 

@@ -194,6 +194,7 @@ static void test_help_in_every_form(void **state)
 		{{"render", "--help"}, "usage: smoothie render SCENE"},
 		{{"info", "-h"}, "usage: smoothie info"},
 		{{"show", "-h"}, "usage: smoothie show SCENE"},
+		{{"bench", "-h"}, "usage: smoothie bench"},
 	};
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct run run = {{NULL}};
@@ -228,7 +229,7 @@ static void test_every_flag_is_documented(void **state)
 	assert_non_null(file);
 	assert_true(fread(reference, 1, sizeof(reference) - 1, file) > 0);
 	fclose(file);
-	static const char *const commands[] = {"render", "info"};
+	static const char *const commands[] = {"render", "bench", "info"};
 	for (size_t i = 0; i < sizeof(commands) / sizeof(commands[0]); i++) {
 		struct outcome outcome = RUN("help", commands[i]);
 		assert_documented(outcome.out, reference);

@@ -43,6 +43,39 @@ static void test_numbers(void **state)
 	}
 }
 
+static void test_reals(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *text;
+		bool valid;
+		double value;
+	} cases[] = {
+		{".03", true, .03},
+		{"3e-2", true, .03},
+		{"0", true, 0},
+		{"-0.0", true, 0},
+		{"10", true, 10},
+		{"10.001", false, 0},
+		{"-1", false, 0},
+		{"", false, 0},
+		{".", false, 0},
+		{" 1", false, 0},
+		{"1 ", false, 0},
+		{"1x", false, 0},
+		{"0x1", false, 0},
+		{"nan", false, 0},
+		{"inf", false, 0},
+		{"1e999", false, 0},
+	};
+	for (size_t i = 0; i < COUNT(cases); i++) {
+		double value;
+		bool valid = options_real(cases[i].text, 0, 10, &value);
+		if (valid != cases[i].valid || (valid && value != cases[i].value))
+			fail_msg("\"%s\"", cases[i].text);
+	}
+}
+
 static void test_rates(void **state)
 {
 	(void)state;
@@ -197,6 +230,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_numbers),
+		cmocka_unit_test(test_reals),
 		cmocka_unit_test(test_rates),
 		cmocka_unit_test(test_sizes),
 		cmocka_unit_test(test_frame_names),

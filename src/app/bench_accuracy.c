@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT */
+/* How far the visibility that a technique draws is off the truth, in a picture and from frame to
+ * frame. */
+#include "app/bench_cell.h"
+#include "app/output.h"
+#include "app/png.h"
+#include "app/target.h"
+#include "base/array.h"
+#include "bench/contents.h"
+#include "bench/difference.h"
+#include "bench/visibility_error.h"
+#include "platform.h"
+#include "ref/reference.h"
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define FLICKER_FRAMES 6
+#define FLICKER_SIZE 256 /* pixels a side at most */
+
+/* How long a reference takes, in pictures. */
+#define TRUTH_STEPS 20
+#define FLICKER_TRUTH_STEPS 6
+
+/* A light's visibility as pictures of one size, drawn and true, rows from the top. */
+struct gallery {
+	struct stage stage; /* of that size */
+	struct target target;
+	size_t pixels;
+	uint8_t *rgba;                          /* owned */
+	float *seen[2];                         /* owned: of this frame and the one before */
+	struct reference truth[FLICKER_FRAMES]; /* by frame */
+	uint32_t frames;
+};
+
+/* How far a reference is, as steps of the cell. */
+struct advance {
+	const struct bench_cell *cell;
+	uint32_t steps, counted;
+};
+
+static void advance(void *data, double share)
+{
+	struct advance *advance = data;
+	uint32_t now = (uint32_t)(share * advance->steps);
+	*advance->cell->steps += now - advance->counted;
+	advance->counted = now;
+}
+
+static bool trace(struct gallery *gallery, const struct bench_cell *cell, uint32_t frame,
+	uint32_t steps, struct sm_error *error)
+{
+	struct advance so_far = {cell, steps, 0};
+	struct reference_request request = {
+		.scene = gallery->stage.scene,
+		.camera = gallery->stage.camera,
+		.width = gallery->target.width,
+		.height = gallery->target.height,
+		.samples = cell->options->samples,
+		.cache = cell->cache,
+		.progress = advance,
+		.progress_data = &so_far,
+	};
+	bool traced = stage_set_time(&gallery->stage, frame, error) &&
+		      reference_trace(&gallery->truth[frame], &request, error);
+	advance(&so_far, 1); /* one from the cache tells nothing */
+	return traced;
+}
+
+static bool gallery_init(struct gallery *gallery, const struct bench_cell *cell,
+	struct bench_size size, uint32_t frames, uint32_t steps, struct sm_error *error)
+{
+	if (!bench_cell_load(cell, size, &gallery->stage, error) ||
+		!target_init(
+			&gallery->target, TARGET_VISIBILITY, size.width, size.height, 1, error))
+		return false;
+	/* The target is within the driver's limits: below 2^32 pixels. */
+	gallery->pixels = (size_t)size.width * size.height;
+	gallery->rgba = array_alloc(gallery->pixels, 4);
+	for (int i = 0; i < 2; i++)
+		gallery->seen[i] = array_alloc(gallery->pixels, sizeof(float));
+	if (gallery->rgba == NULL || gallery->seen[0] == NULL || gallery->seen[1] == NULL)
+		return error_no_memory(error);
+	for (gallery->frames = 0; gallery->frames < frames; gallery->frames++)
+		if (!trace(gallery, cell, gallery->frames, steps, error))
+			return false;
+	return true;
+}
+
+static void gallery_finish(struct gallery *gallery)
+{
+	for (uint32_t frame = 0; frame < gallery->frames; frame++)
+		reference_finish(&gallery->truth[frame]);
+	free(gallery->rgba);
+	free(gallery->seen[0]);
+	free(gallery->seen[1]);
+	target_finish(&gallery->target);
+	stage_finish(&gallery->stage);
+}
+
+static bool draw(struct gallery *gallery, struct sm_renderer *renderer, uint32_t frame,
+	struct sm_error *error)
+{
+	struct sm_view view = {
+		.camera = gallery->stage.camera,
+		.framebuffer = gallery->target.framebuffer,
+		.width = gallery->target.width,
+		.height = gallery->target.height,
+		.visibility_of = 0,
+	};
+	if (!stage_set_time(&gallery->stage, frame, error) ||
+		!sm_renderer_draw(renderer, gallery->stage.scene, &view, error) ||
+		!target_read(&gallery->target, gallery->rgba, error))
+		return false;
+	target_decode_visibility(&gallery->target, gallery->rgba, gallery->seen[frame % 2]);
+	return true;
+}
+
+/* Rows of a PNG are handed over from the bottom, those of a gallery come from the top. */
+static void flip(struct picture *picture)
+{
+	size_t row = 4 * (size_t)picture->width;
+	for (uint32_t y = 0; y < picture->height / 2; y++) {
+		uint8_t *low = picture->rgba + y * row;
+		uint8_t *high = picture->rgba + (picture->height - 1 - y) * row;
+		for (size_t x = 0; x < row; x++) {
+			uint8_t byte = low[x];
+			low[x] = high[x];
+			high[x] = byte;
+		}
+	}
+}
+
+static bool encode(const struct picture *picture, const char *path, struct sm_error *error)
+{
+	struct png png = {0};
+	bool written =
+		png_init_picture(&png, picture->rgba, picture->width, picture->height, error) &&
+		output_write(path, png.bytes, png.size, error);
+	png_finish(&png);
+	return written;
+}
+
+static bool write_difference(const struct gallery *gallery, const char *folder,
+	const struct result *result, struct sm_error *error)
+{
+	char name[FILE_NAME_MAX], path[PATH_MAX];
+	struct picture picture = {0};
+	difference_file_name(result, name);
+	if (snprintf(path, sizeof(path), "%s/%s", folder, name) >= (int)sizeof(path))
+		return error_set(error, SM_ERROR_INPUT, "--out: the name is too long");
+	bool made = difference_montage(&picture, gallery->seen[0], gallery->truth[0].visibility,
+		gallery->target.width, gallery->target.height, error);
+	if (made)
+		flip(&picture);
+	bool written = made && encode(&picture, path, error);
+	difference_finish(&picture);
+	return written;
+}
+
+static bool measure_error(struct gallery *gallery, struct sm_renderer *renderer,
+	const struct bench_cell *cell, struct result *result, struct sm_error *error)
+{
+	return draw(gallery, renderer, 0, error) &&
+	       visibility_error(gallery->seen[0], gallery->truth[0].visibility, gallery->pixels,
+		       result->error, error) &&
+	       (!cell->pictures || write_difference(gallery, cell->options->out, result, error));
+}
+
+static bool measure_flicker(struct gallery *gallery, struct sm_renderer *renderer,
+	const struct bench_cell *cell, struct result *result, struct sm_error *error)
+{
+	(void)cell;
+	double sum = 0;
+	if (!draw(gallery, renderer, 0, error))
+		return false;
+	for (uint32_t frame = 1; frame < FLICKER_FRAMES; frame++) {
+		if (!draw(gallery, renderer, frame, error))
+			return false;
+		struct visibility_pair before = {
+			gallery->seen[(frame - 1) % 2], gallery->truth[frame - 1].visibility};
+		struct visibility_pair after = {
+			gallery->seen[frame % 2], gallery->truth[frame].visibility};
+		sum += visibility_flicker(before, after, gallery->pixels);
+	}
+	result->flicker = sum / (FLICKER_FRAMES - 1);
+	return true;
+}
+
+/* Both galleries show one scene to one renderer, but as two scenes: each of them gets its own. */
+static bool with_renderer(struct gallery *gallery, const struct bench_cell *cell, size_t technique,
+	bool (*measure)(struct gallery *gallery, struct sm_renderer *renderer,
+		const struct bench_cell *cell, struct result *result, struct sm_error *error),
+	struct sm_error *error)
+{
+	struct sm_shadow_options shadow = bench_cell_shadow(cell, technique);
+	struct sm_renderer *renderer = sm_renderer_create(platform_get_proc, error);
+	bool measured = renderer != NULL && sm_renderer_set_shadows(renderer, &shadow, error) &&
+			measure(gallery, renderer, cell, &cell->results[technique], error);
+	sm_renderer_destroy(renderer);
+	++*cell->steps;
+	return measured;
+}
+
+static uint32_t smaller(uint32_t a, uint32_t b)
+{
+	return a < b ? a : b;
+}
+
+static bool measure_all(const struct bench_cell *cell, struct gallery *still,
+	struct gallery *moving, struct sm_error *error)
+{
+	struct bench_size size = cell->options->error_size;
+	struct bench_size small = {
+		smaller(size.width, FLICKER_SIZE), smaller(size.height, FLICKER_SIZE)};
+	if (!gallery_init(still, cell, size, 1, TRUTH_STEPS, error) ||
+		!gallery_init(moving, cell, small, FLICKER_FRAMES, FLICKER_TRUTH_STEPS, error))
+		return false;
+	for (size_t i = 0; i < cell->options->technique_count; i++)
+		if (!with_renderer(still, cell, i, measure_error, error) ||
+			!with_renderer(moving, cell, i, measure_flicker, error))
+			return false;
+	return true;
+}
+
+bool bench_accuracy(const struct bench_cell *cell, struct sm_error *error)
+{
+	struct gallery still = {0}, moving = {0};
+	struct platform *platform =
+		platform_create(cell->options->common.device, cell->options->common.debug, error);
+	bool measured = platform != NULL && measure_all(cell, &still, &moving, error);
+	gallery_finish(&still);
+	gallery_finish(&moving);
+	platform_destroy(platform);
+	return measured;
+}
+
+uint32_t bench_accuracy_steps(const struct bench_options *options)
+{
+	return TRUTH_STEPS + FLICKER_FRAMES * FLICKER_TRUTH_STEPS +
+	       2 * (uint32_t)options->technique_count;
+}

@@ -1,0 +1,317 @@
+/* SPDX-License-Identifier: MIT */
+#include "app/bench_options.h"
+#include "ref/reference.h"
+#include <getopt.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+	FLAG_SCENE = FLAG_OWN,
+	FLAG_TECHNIQUE,
+	FLAG_RADIUS,
+	FLAG_MAP,
+	FLAG_PRECISION,
+	FLAG_SIZE,
+	FLAG_ERROR_SIZE,
+	FLAG_ROUNDS,
+	FLAG_SAMPLES,
+	FLAG_OUT,
+	FLAG_COMPARE,
+	FLAG_QUICK,
+	FLAG_STRESS,
+	FLAG_SEED,
+	FLAG_RANDOM,
+	FLAG_PAPER,
+	FLAG_MODELS,
+};
+
+static const struct flag flags[] = {
+	{FLAG_SCENE, "scene", "SCENE", "measure on this one; may be repeated"},
+	{FLAG_TECHNIQUE, "technique", "NAME[-SAMPLES]", "measure this one; may be repeated"},
+	{FLAG_RADIUS, "radius", "R/d", "of the light, as a share of its distance; repeatable"},
+	{FLAG_MAP, "map", "N", "texels a side of the shadow map; may be repeated"},
+	{FLAG_PRECISION, "precision", "float", "of what is stored on the way"},
+	{FLAG_SIZE, "size", "WxH", "pixels of the frames that are timed; default: 1024x1024"},
+	{FLAG_ERROR_SIZE, "error-size", "WxH", "of pictures held against truth; default: 512x512"},
+	{FLAG_ROUNDS, "rounds", "N", "frames timed of each technique"},
+	{FLAG_SAMPLES, "samples", "N", "of the light, by the reference, in penumbrae"},
+	{FLAG_OUT, "out", "DIR", "folder for what is written; default: bench-results"},
+	{FLAG_COMPARE, "compare", "FILE", "print what changed since that results.csv"},
+	{FLAG_QUICK, "quick", NULL, "measure a part, in minutes"},
+	{FLAG_STRESS, "stress", "[=SWEEP]", "look for numbers that break the techniques instead"},
+	{FLAG_SEED, "seed", "N", "with --stress: of the random scenes"},
+	{FLAG_RANDOM, "random", "N", "with --stress: how many random scenes"},
+	{FLAG_PAPER, "paper", NULL, "measure what the papers' own tables hold instead"},
+	{FLAG_MODELS, "models", "DIR", "with --paper: folder of spot.glb and sheen-chair.glb"},
+	RENDER_DEVICE_FLAG,
+	COMMON_FLAGS,
+};
+
+/* What is stored on the way from the light to the picture, and how it is chosen. */
+static const char *const precisions[] = {"float"};
+
+static bool read_count(
+	const char *flag, const char *value, uint32_t max, uint32_t *count, struct sm_error *error)
+{
+	return options_number(value, 1, max, count) ||
+	       options_error(error, &bench_command, "--%s %.40s: a number from 1 to %u is wanted",
+		       flag, value, max);
+}
+
+static bool read_size(
+	const char *flag, const char *value, struct bench_size *size, struct sm_error *error)
+{
+	return options_size(value, &size->width, &size->height) ||
+	       options_error(error, &bench_command,
+		       "--%s %.40s: WIDTHxHEIGHT in pixels is wanted, each 1 or more", flag, value);
+}
+
+static bool check_room(const char *flag, size_t count, size_t max, struct sm_error *error)
+{
+	return count < max ||
+	       options_error(error, &bench_command, "--%s: at most %zu are measured", flag, max);
+}
+
+static bool add_scene(struct bench_options *options, const char *scene, struct sm_error *error)
+{
+	if (!check_room("scene", options->scene_count, BENCH_SCENES_MAX, error))
+		return false;
+	options->scenes[options->scene_count++] = scene;
+	return true;
+}
+
+static bool add_radius(struct bench_options *options, const char *value, struct sm_error *error)
+{
+	double *radius = &options->radii[options->radius_count];
+	if (!check_room("radius", options->radius_count, BENCH_RADII_MAX, error))
+		return false;
+	if (!options_real(value, 0, 10, radius))
+		return options_error(error, &bench_command,
+			"--radius %.40s: a share of the light's distance, from 0 to 10, is wanted",
+			value);
+	options->radius_count++;
+	return true;
+}
+
+static bool add_map(struct bench_options *options, const char *value, struct sm_error *error)
+{
+	if (!check_room("map", options->map_count, BENCH_MAPS_MAX, error) ||
+		!read_count("map", value, INT32_MAX, &options->maps[options->map_count], error))
+		return false;
+	options->map_count++;
+	return true;
+}
+
+static bool add_technique(struct bench_options *options, const struct bench_technique *technique,
+	struct sm_error *error)
+{
+	for (size_t i = 0; i < options->technique_count; i++)
+		if (strcmp(options->techniques[i].name, technique->name) == 0)
+			return true;
+	if (!check_room("technique", options->technique_count, BENCH_TECHNIQUES_MAX, error))
+		return false;
+	options->techniques[options->technique_count++] = *technique;
+	return true;
+}
+
+/* Adds the technique of that index with each choice of samples, or those of them that `name` is of;
+ * NULL: all. *found: whether there was one. */
+static bool add_choices(struct bench_options *options, size_t index, const char *name, bool *found,
+	struct sm_error *error)
+{
+	struct bench_technique technique = {.technique = sm_technique_name(index)};
+	bool several = sm_technique_samples(index, 0) > 0 && sm_technique_samples(index, 1) > 0;
+	bool whole = name == NULL || strcmp(name, technique.technique) == 0;
+	size_t choice = 0;
+	do {
+		technique.samples = sm_technique_samples(index, choice++);
+		snprintf(technique.name, sizeof(technique.name), several ? "%s-%u" : "%s",
+			technique.technique, technique.samples);
+		if (!whole && strcmp(name, technique.name) != 0)
+			continue;
+		*found = true;
+		if (!add_technique(options, &technique, error))
+			return false;
+	} while (sm_technique_samples(index, choice) > 0);
+	return true;
+}
+
+/* name: NULL for all. */
+static bool add_techniques(struct bench_options *options, const char *name, struct sm_error *error)
+{
+	bool found = false;
+	for (size_t i = 0; sm_technique_name(i) != NULL; i++)
+		if (!add_choices(options, i, name, &found, error))
+			return false;
+	return found || options_error(error, &bench_command,
+				"--technique %.40s: there is none of that name", name);
+}
+
+static bool set_precision(struct bench_options *options, const char *value, struct sm_error *error)
+{
+	for (size_t i = 0; i < sizeof(precisions) / sizeof(precisions[0]); i++)
+		if (strcmp(value, precisions[i]) == 0) {
+			options->precision = precisions[i];
+			return true;
+		}
+	return options_error(
+		error, &bench_command, "--precision %.40s: %s is wanted", value, precisions[0]);
+}
+
+static bool read_flag(
+	struct bench_options *options, int id, const char *value, struct sm_error *error)
+{
+	switch (id) {
+	case FLAG_SCENE:
+		return add_scene(options, value, error);
+	case FLAG_TECHNIQUE:
+		return add_techniques(options, value, error);
+	case FLAG_RADIUS:
+		return add_radius(options, value, error);
+	case FLAG_MAP:
+		return add_map(options, value, error);
+	case FLAG_PRECISION:
+		return set_precision(options, value, error);
+	case FLAG_SIZE:
+		return read_size("size", value, &options->time_size, error);
+	case FLAG_ERROR_SIZE:
+		return read_size("error-size", value, &options->error_size, error);
+	case FLAG_ROUNDS:
+		return read_count("rounds", value, 10000, &options->rounds, error);
+	case FLAG_SAMPLES:
+		return read_count(
+			"samples", value, REFERENCE_SAMPLES_MOST, &options->samples, error);
+	case FLAG_OUT:
+		options->out = value;
+		return true;
+	case FLAG_COMPARE:
+		options->compare = value;
+		return true;
+	case FLAG_QUICK:
+		options->quick = true;
+		return true;
+	case FLAG_STRESS:
+		options->stress = true;
+		options->sweep = value;
+		return true;
+	case FLAG_SEED:
+		return read_count("seed", value, UINT32_MAX, &options->seed, error);
+	case FLAG_RANDOM:
+		return read_count("random", value, 100000000, &options->random_scenes, error);
+	case FLAG_PAPER:
+		options->paper = true;
+		return true;
+	case FLAG_MODELS:
+		options->models = value;
+		return true;
+	default:
+		options_common(&options->common, id, value);
+		return true;
+	}
+}
+
+/* What a list that nothing was said of is to hold, up to NULL. */
+struct defaults {
+	const char *scenes[9], *radii[4], *maps[3];
+	uint32_t rounds;
+};
+
+static const struct defaults full = {
+	.scenes = {"builtin:cylinder", "builtin:boxes", "builtin:fence", "builtin:knot",
+		"builtin:urchin", "builtin:debris", "builtin:primitives"},
+	.radii = {".03", ".01", ".10"},
+	.maps = {"512", "1024"},
+	.rounds = 15,
+};
+
+static const struct defaults quick = {
+	.scenes = {"builtin:cylinder", "builtin:fence", "builtin:knot", "builtin:debris"},
+	.radii = {".03"},
+	.maps = {"512"},
+	.rounds = 5,
+};
+
+static bool fill(const char *const *values, size_t count, struct bench_options *options,
+	bool (*add)(struct bench_options *options, const char *value, struct sm_error *error),
+	struct sm_error *error)
+{
+	for (size_t i = 0; count == 0 && values[i] != NULL; i++)
+		if (!add(options, values[i], error))
+			return false;
+	return true;
+}
+
+static bool complete(struct bench_options *options, struct sm_error *error)
+{
+	const struct defaults *defaults = options->quick ? &quick : &full;
+	if (options->rounds == 0)
+		options->rounds = defaults->rounds;
+	return fill(defaults->scenes, options->scene_count, options, add_scene, error) &&
+	       fill(defaults->radii, options->radius_count, options, add_radius, error) &&
+	       fill(defaults->maps, options->map_count, options, add_map, error) &&
+	       (options->technique_count > 0 || add_techniques(options, NULL, error));
+}
+
+/* What a run would not heed is no wish that may be passed over. */
+static bool check_paper(const struct bench_options *options, struct sm_error *error)
+{
+	const char *conflict = NULL;
+	if (!options->paper)
+		conflict = options->models != NULL ? "--models needs --paper" : NULL;
+	else if (options->scene_count > 0 || options->technique_count > 0 ||
+		 options->radius_count > 0 || options->map_count > 0)
+		conflict = "--paper measures what papers did: --scene, --technique, --radius and "
+			   "--map do not go with it";
+	else if (options->stress)
+		conflict = "--paper and --stress are two things";
+	else if (options->compare != NULL)
+		conflict = "--paper writes no results.csv: --compare does not go with it";
+	return conflict == NULL || options_error(error, &bench_command, "%s", conflict);
+}
+
+static bool check_stress(const struct bench_options *options, struct sm_error *error)
+{
+	const char *conflict = NULL;
+	if (!options->stress && (options->seed > 0 || options->random_scenes > 0))
+		conflict = "--seed and --random need --stress";
+	else if (options->stress &&
+		 (options->radius_count > 0 || options->map_count > 0 || options->compare != NULL))
+		conflict = "--stress has numbers of its own: --radius, --map and --compare do not "
+			   "go with it";
+	return conflict == NULL || options_error(error, &bench_command, "%s", conflict);
+}
+
+bool bench_options_read(
+	struct bench_options *options, int argc, char **argv, struct sm_error *error)
+{
+	*options = (struct bench_options){
+		.common = options_defaults(),
+		.precision = precisions[0],
+		.time_size = {1024, 1024},
+		.error_size = {512, 512},
+		.samples = REFERENCE_SAMPLES,
+		.out = "bench-results",
+	};
+	int id;
+	while ((id = options_next(&bench_command, argc, argv, error)) >= 0)
+		if (!read_flag(options, id, optarg, error))
+			return false;
+	if (id == FLAG_FAILED)
+		return false;
+	if (optind < argc)
+		return options_error(
+			error, &bench_command, "%.200s: name scenes by --scene", argv[optind]);
+	if (options->common.help)
+		return true;
+	return check_paper(options, error) && check_stress(options, error) &&
+	       (options->stress || complete(options, error));
+}
+
+const struct command bench_command = {
+	.name = "bench",
+	.arguments = "[flags]",
+	.summary = "Measure techniques: error against ray-traced truth, time and memory.",
+	.flags = flags,
+	.flag_count = sizeof(flags) / sizeof(flags[0]),
+	.run = bench_run,
+};

@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: MIT */
+/* What can be seen of shadows, in numbers: aliasing, how they move, and how far they are off. */
+#include "app/bench_paper_part.h"
+#include "app/target.h"
+#include "base/array.h"
+#include "bench/statistics.h"
+#include "bench/visibility_error.h"
+#include "platform.h"
+#include "ref/reference.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
+#define LOOK_MAP 512   /* texels a side */
+#define MOVE_CHANGES 7 /* as the light turns by a tenth of a degree each */
+
+/* As it turns by half a degree each, so that many edges come to be silhouettes and cease. */
+#define SNAP_SECONDS 5
+#define SNAP_CHANGES_MAX 40
+
+/* Two pictures of a light's visibility in one scene. */
+struct look {
+	struct stage stage;
+	struct platform *platform;
+	struct target target;
+	struct sm_renderer *renderer;
+	size_t pixels;
+	uint8_t *rgba;  /* owned */
+	float *seen[2]; /* owned */
+};
+
+static uint32_t look_side(const struct paper_options *options)
+{
+	return options->tiny ? 64 : 512;
+}
+
+/* Texels a side where hardly one is seen. */
+static uint32_t fine_map(const struct paper_options *options)
+{
+	return options->tiny ? 1024 : 4096;
+}
+
+static bool look_init(struct look *look, const struct paper_part *part, const char *source,
+	uint32_t side, struct sm_error *error)
+{
+	*look = (struct look){.pixels = (size_t)side * side};
+	if (!paper_stage_load(&look->stage, source, side, error) ||
+		(look->platform = paper_open(part, error)) == NULL ||
+		!target_init(&look->target, TARGET_VISIBILITY, side, side, 1, error))
+		return false;
+	look->rgba = array_alloc(look->pixels, 4);
+	for (int i = 0; i < 2; i++)
+		look->seen[i] = array_alloc(look->pixels, sizeof(float));
+	if (look->rgba == NULL || look->seen[0] == NULL || look->seen[1] == NULL)
+		return error_no_memory(error);
+	look->renderer = sm_renderer_create(platform_get_proc, error);
+	return look->renderer != NULL;
+}
+
+static void look_finish(struct look *look)
+{
+	sm_renderer_destroy(look->renderer);
+	free(look->rgba);
+	free(look->seen[0]);
+	free(look->seen[1]);
+	target_finish(&look->target);
+	platform_destroy(look->platform);
+	stage_finish(&look->stage);
+}
+
+/* Draws one of the two pictures. */
+static bool look_draw(struct look *look, const struct paper_part *part, int which, double seconds,
+	struct sm_error *error)
+{
+	if (!stage_set_time(&look->stage, seconds, error))
+		return false;
+	struct sm_view view = {
+		.camera = look->stage.camera,
+		.framebuffer = look->target.framebuffer,
+		.width = look->target.width,
+		.height = look->target.height,
+		.visibility_of = 0,
+	};
+	if (!sm_renderer_draw(look->renderer, look->stage.scene, &view, error) ||
+		!target_read(&look->target, look->rgba, error))
+		return false;
+	target_decode_visibility(&look->target, look->rgba, look->seen[which]);
+	paper_step((void *)part);
+	return true;
+}
+
+static double mean_square(const struct look *look)
+{
+	double sum = 0;
+	for (size_t i = 0; i < look->pixels; i++) {
+		double change = (double)look->seen[1][i] - (double)look->seen[0][i];
+		sum += change * change;
+	}
+	/* A picture has pixels. */
+	return sum / (double)look->pixels;
+}
+
+static bool measure_aliasing(struct look *look, const struct paper_part *part,
+	struct sm_shadow_options shadow, double *rmse, struct sm_error *error)
+{
+	for (int i = 0; i < 2; i++) {
+		shadow.map_size = i == 0 ? LOOK_MAP : fine_map(part->options);
+		if (!sm_renderer_set_shadows(look->renderer, &shadow, error) ||
+			!look_draw(look, part, i, 0, error))
+			return false;
+	}
+	*rmse = sqrt(mean_square(look));
+	return true;
+}
+
+/* Mean squares of what changes from each of `frames` + 1 frames to the next. */
+static bool measure_changes(struct look *look, const struct paper_part *part,
+	struct sm_shadow_options shadow, double seconds, double *changes, int frames,
+	struct sm_error *error)
+{
+	shadow.map_size = LOOK_MAP;
+	if (!sm_renderer_set_shadows(look->renderer, &shadow, error) ||
+		!look_draw(look, part, 0, 0, error))
+		return false;
+	for (int frame = 1; frame <= frames; frame++) {
+		if (!look_draw(look, part, frame % 2, frame * seconds, error))
+			return false;
+		changes[frame - 1] = mean_square(look);
+	}
+	return true;
+}
+
+static bool measure_popping(struct look *look, const struct paper_part *part,
+	struct sm_shadow_options shadow, double *rms, struct sm_error *error)
+{
+	double changes[MOVE_CHANGES], sum = 0;
+	if (!measure_changes(look, part, shadow, 1, changes, MOVE_CHANGES, error))
+		return false;
+	for (int i = 0; i < MOVE_CHANGES; i++)
+		sum += changes[i];
+	*rms = sqrt(sum / MOVE_CHANGES);
+	return true;
+}
+
+bool paper_look_at_scene(const struct paper_part *part, const char *source, struct sm_error *error)
+{
+	static const struct sm_shadow_options hard = {.technique = "hard"},
+					      smoothie = {.technique = "smoothie"};
+	struct paper_scene *scene = &part->result->scenes[part->scene];
+	struct look look;
+	bool seen = look_init(&look, part, source, look_side(part->options), error) &&
+		    measure_aliasing(&look, part, hard, &scene->aliasing.hard, error) &&
+		    measure_aliasing(&look, part, smoothie, &scene->aliasing.smoothie, error) &&
+		    measure_popping(&look, part, hard, &scene->popping.hard, error) &&
+		    measure_popping(&look, part, smoothie, &scene->popping.smoothie, error);
+	look_finish(&look);
+	return seen;
+}
+
+uint32_t paper_look_at_scene_steps(const struct paper_options *options)
+{
+	(void)options;
+	return 2 * (2 + MOVE_CHANGES + 1);
+}
+
+static int snap_changes(const struct paper_options *options)
+{
+	return options->tiny ? 5 : SNAP_CHANGES_MAX;
+}
+
+static bool measure_snapping(
+	const struct paper_part *part, const char *source, double *ratio, struct sm_error *error)
+{
+	const struct sm_shadow_options thick = {.technique = "smoothie", .width = .1f};
+	int count = snap_changes(part->options);
+	double changes[SNAP_CHANGES_MAX];
+	struct look look;
+	bool seen = look_init(&look, part, source, look_side(part->options) / 2, error) &&
+		    measure_changes(&look, part, thick, SNAP_SECONDS, changes, count, error);
+	look_finish(&look);
+	if (!seen)
+		return false;
+	double median = statistics_median(changes, (size_t)count);
+	/* Nothing that moves: nothing that snaps. */
+	*ratio = median > 0 ? sqrt(changes[count - 1] / median) : NAN;
+	return true;
+}
+
+/* Ways to draw one scene, and sums of what each is off over scenes. */
+struct comparison {
+	const struct sm_shadow_options *shadow; /* [count] */
+	struct paper_error **error;             /* [count] */
+	size_t count;
+};
+
+static bool compare(struct look *look, const struct paper_part *part,
+	const struct comparison *comparison, double weight, struct sm_error *error)
+{
+	struct reference truth;
+	struct reference_request request = {
+		.scene = look->stage.scene,
+		.camera = look->stage.camera,
+		.width = look->target.width,
+		.height = look->target.height,
+		.samples = 256,
+	};
+	bool compared = reference_trace(&truth, &request, error);
+	paper_step((void *)part);
+	for (size_t i = 0; i < comparison->count && compared; i++) {
+		struct error_summary off[REGIONS];
+		compared =
+			sm_renderer_set_shadows(look->renderer, &comparison->shadow[i], error) &&
+			look_draw(look, part, 0, 0, error) &&
+			visibility_error(look->seen[0], truth.visibility, look->pixels, off, error);
+		if (compared) {
+			comparison->error[i]->rmse += weight * off[REGION_PENUMBRA].rmse;
+			comparison->error[i]->bias += weight * off[REGION_PENUMBRA].bias;
+		}
+	}
+	reference_finish(&truth);
+	return compared;
+}
+
+/* Means over the scenes. */
+static bool compare_all(const struct paper_part *part, const char *const *sources, size_t count,
+	const struct comparison *comparison, struct sm_error *error)
+{
+	bool compared = true;
+	for (size_t i = 0; i < comparison->count; i++)
+		*comparison->error[i] = (struct paper_error){0};
+	for (size_t i = 0; i < count && compared; i++) {
+		struct look look;
+		compared =
+			look_init(&look, part, sources[i], look_side(part->options) / 2, error) &&
+			compare(&look, part, comparison, 1.0 / (double)count, error);
+		look_finish(&look);
+	}
+	return compared;
+}
+
+static const char *const study[] = {"builtin:cylinder", "builtin:boxes", "builtin:fence",
+	"builtin:knot", "builtin:urchin", "builtin:debris"};
+
+static size_t study_count(const struct paper_options *options)
+{
+	return options->tiny ? 1 : COUNT(study);
+}
+
+static bool measure_errors(const struct paper_part *part, struct sm_error *error)
+{
+	static const char *const fence[] = {"builtin:fence"};
+	static const struct sm_shadow_options soft[] = {{.technique = "hard", .map_size = LOOK_MAP},
+		{.technique = "smoothie", .map_size = LOOK_MAP},
+		{.technique = "smoothie", .map_size = LOOK_MAP, .falloff = SM_FALLOFF_SINUSOID}};
+	static const struct sm_shadow_options widths[] = {
+		{.technique = "smoothie", .map_size = LOOK_MAP, .width = .02f},
+		{.technique = "smoothie", .map_size = LOOK_MAP, .width = .08f}};
+	struct paper_result *result = part->result;
+	struct paper_error *soft_errors[] = {&result->hard, &result->linear, &result->sinusoid};
+	struct paper_error *width_errors[] = {&result->thin, &result->thick};
+	struct comparison of_soft = {soft, soft_errors, COUNT(soft)};
+	struct comparison of_widths = {widths, width_errors, COUNT(widths)};
+	return compare_all(part, study, study_count(part->options), &of_soft, error) &&
+	       compare_all(part, fence, 1, &of_widths, error);
+}
+
+bool paper_look_closer(const struct paper_part *part, struct sm_error *error)
+{
+	struct paper_result *result = part->result;
+	return measure_snapping(part, "builtin:knot:500", &result->snapping_coarse, error) &&
+	       measure_snapping(part, "builtin:knot:50000", &result->snapping_fine, error) &&
+	       (!reference_is_built() || measure_errors(part, error));
+}
+
+uint32_t paper_look_closer_steps(const struct paper_options *options)
+{
+	uint32_t errors = 4 * (uint32_t)study_count(options) + 3;
+	return 2 * (uint32_t)(snap_changes(options) + 1) + (reference_is_built() ? errors : 0);
+}
