@@ -114,6 +114,16 @@ static bool add_technique(struct bench_options *options, const struct bench_tech
 	return true;
 }
 
+/* The technique's least choice of samples above `least`; 0: there is none. */
+static uint32_t next_samples(size_t index, uint32_t least)
+{
+	uint32_t next = 0, samples;
+	for (size_t i = 0; (samples = sm_technique_samples(index, i)) > 0; i++)
+		if (samples > least && (next == 0 || samples < next))
+			next = samples;
+	return next;
+}
+
 /* Adds the technique of that index with each choice of samples, or those of them that `name` is of;
  * NULL: all. *found: whether there was one. */
 static bool add_choices(struct bench_options *options, size_t index, const char *name, bool *found,
@@ -122,9 +132,8 @@ static bool add_choices(struct bench_options *options, size_t index, const char 
 	struct bench_technique technique = {.technique = sm_technique_name(index)};
 	bool several = sm_technique_samples(index, 0) > 0 && sm_technique_samples(index, 1) > 0;
 	bool whole = name == NULL || strcmp(name, technique.technique) == 0;
-	size_t choice = 0;
+	technique.samples = next_samples(index, 0);
 	do {
-		technique.samples = sm_technique_samples(index, choice++);
 		snprintf(technique.name, sizeof(technique.name), several ? "%s-%u" : "%s",
 			technique.technique, technique.samples);
 		if (!whole && strcmp(name, technique.name) != 0)
@@ -132,19 +141,31 @@ static bool add_choices(struct bench_options *options, size_t index, const char 
 		*found = true;
 		if (!add_technique(options, &technique, error))
 			return false;
-	} while (sm_technique_samples(index, choice) > 0);
+	} while ((technique.samples = next_samples(index, technique.samples)) > 0);
 	return true;
+}
+
+/* The names of all techniques, by commas. */
+static void list_techniques(char *text, size_t size)
+{
+	size_t used = 0;
+	const char *name;
+	for (size_t i = 0; (name = sm_technique_name(i)) != NULL && used < size; i++)
+		used += (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? ", " : "", name);
 }
 
 /* name: NULL for all. */
 static bool add_techniques(struct bench_options *options, const char *name, struct sm_error *error)
 {
+	char names[200] = "";
 	bool found = false;
 	for (size_t i = 0; sm_technique_name(i) != NULL; i++)
 		if (!add_choices(options, i, name, &found, error))
 			return false;
-	return found || options_error(error, &bench_command,
-				"--technique %.40s: there is none of that name", name);
+	list_techniques(names, sizeof(names));
+	return found ||
+	       options_error(error, &bench_command,
+		       "--technique %.40s: there is none of that name; there are: %s", name, names);
 }
 
 static bool set_precision(struct bench_options *options, const char *value, struct sm_error *error)
@@ -252,33 +273,53 @@ static bool complete(struct bench_options *options, struct sm_error *error)
 	       (options->technique_count > 0 || add_techniques(options, NULL, error));
 }
 
-/* What a run would not heed is no wish that may be passed over. */
-static bool check_paper(const struct bench_options *options, struct sm_error *error)
-{
-	const char *conflict = NULL;
-	if (!options->paper)
-		conflict = options->models != NULL ? "--models needs --paper" : NULL;
-	else if (options->scene_count > 0 || options->technique_count > 0 ||
-		 options->radius_count > 0 || options->map_count > 0)
-		conflict = "--paper measures what papers did: --scene, --technique, --radius and "
-			   "--map do not go with it";
-	else if (options->stress)
-		conflict = "--paper and --stress are two things";
-	else if (options->compare != NULL)
-		conflict = "--paper writes no results.csv: --compare does not go with it";
-	return conflict == NULL || options_error(error, &bench_command, "%s", conflict);
-}
+/* What a run measures. */
+enum mode { MODE_RESULTS = 1, MODE_STRESS = 2, MODE_PAPER = 4, MODES_ALL = 7 };
 
-static bool check_stress(const struct bench_options *options, struct sm_error *error)
+static const struct {
+	enum mode mode;
+	const char *name;
+} modes[] = {
+	{MODE_RESULTS, "without --stress or --paper"},
+	{MODE_STRESS, "with --stress"},
+	{MODE_PAPER, "with --paper"},
+};
+
+/* The modes that heed a flag of the command's own, from FLAG_SCENE on. */
+static const uint8_t heeded[] = {
+	[FLAG_SCENE - FLAG_OWN] = MODE_RESULTS | MODE_STRESS,
+	[FLAG_TECHNIQUE - FLAG_OWN] = MODE_RESULTS | MODE_STRESS,
+	[FLAG_RADIUS - FLAG_OWN] = MODE_RESULTS,
+	[FLAG_MAP - FLAG_OWN] = MODE_RESULTS,
+	[FLAG_PRECISION - FLAG_OWN] = MODES_ALL,
+	[FLAG_SIZE - FLAG_OWN] = MODE_RESULTS,
+	[FLAG_ERROR_SIZE - FLAG_OWN] = MODE_RESULTS,
+	[FLAG_ROUNDS - FLAG_OWN] = MODE_RESULTS,
+	[FLAG_SAMPLES - FLAG_OWN] = MODE_RESULTS,
+	[FLAG_OUT - FLAG_OWN] = MODES_ALL,
+	[FLAG_COMPARE - FLAG_OWN] = MODE_RESULTS,
+	[FLAG_QUICK - FLAG_OWN] = MODES_ALL,
+	[FLAG_STRESS - FLAG_OWN] = MODE_STRESS,
+	[FLAG_SEED - FLAG_OWN] = MODE_STRESS,
+	[FLAG_RANDOM - FLAG_OWN] = MODE_STRESS,
+	[FLAG_PAPER - FLAG_OWN] = MODE_PAPER,
+	[FLAG_MODELS - FLAG_OWN] = MODE_PAPER,
+};
+
+/* A flag that a run would not heed is an error, not a silence. given: bit i is flag FLAG_OWN + i.
+ */
+static bool check_heeded(
+	const struct bench_options *options, uint32_t given, struct sm_error *error)
 {
-	const char *conflict = NULL;
-	if (!options->stress && (options->seed > 0 || options->random_scenes > 0))
-		conflict = "--seed and --random need --stress";
-	else if (options->stress &&
-		 (options->radius_count > 0 || options->map_count > 0 || options->compare != NULL))
-		conflict = "--stress has numbers of its own: --radius, --map and --compare do not "
-			   "go with it";
-	return conflict == NULL || options_error(error, &bench_command, "%s", conflict);
+	size_t mode = options->stress ? 1 : options->paper ? 2 : 0;
+	for (size_t i = 0; i < bench_command.flag_count; i++) {
+		const struct flag *flag = &flags[i];
+		bool own = flag->id >= FLAG_OWN && given & 1u << (flag->id - FLAG_OWN);
+		if (own && !(heeded[flag->id - FLAG_OWN] & modes[mode].mode))
+			return options_error(error, &bench_command, "--%s does nothing %s",
+				flag->name, modes[mode].name);
+	}
+	return true;
 }
 
 bool bench_options_read(
@@ -292,10 +333,14 @@ bool bench_options_read(
 		.samples = REFERENCE_SAMPLES,
 		.out = "bench-results",
 	};
+	uint32_t given = 0;
 	int id;
-	while ((id = options_next(&bench_command, argc, argv, error)) >= 0)
+	while ((id = options_next(&bench_command, argc, argv, error)) >= 0) {
 		if (!read_flag(options, id, optarg, error))
 			return false;
+		if (id >= FLAG_OWN)
+			given |= 1u << (id - FLAG_OWN);
+	}
 	if (id == FLAG_FAILED)
 		return false;
 	if (optind < argc)
@@ -303,8 +348,7 @@ bool bench_options_read(
 			error, &bench_command, "%.200s: name scenes by --scene", argv[optind]);
 	if (options->common.help)
 		return true;
-	return check_paper(options, error) && check_stress(options, error) &&
-	       (options->stress || complete(options, error));
+	return check_heeded(options, given, error) && (options->stress || complete(options, error));
 }
 
 const struct command bench_command = {

@@ -159,6 +159,16 @@ static uint32_t count_steps(const struct stress_options *options)
 	return (options->sweep != NULL ? 1 : sweeps) + options->random_scenes;
 }
 
+static bool error_unknown_sweep(const char *name, struct sm_error *error)
+{
+	char names[400] = "";
+	size_t used = 0;
+	for (size_t i = 0; stress_sweep_at(i) != NULL && used < sizeof(names); i++)
+		used += (size_t)snprintf(names + used, sizeof(names) - used, "%s%s",
+			i > 0 ? ", " : "", stress_sweep_at(i)->name);
+	return error_set(error, SM_ERROR_INPUT, "no sweep \"%.40s\"; there are: %s", name, names);
+}
+
 static bool check_names(const struct stress_options *options, struct sm_error *error)
 {
 	struct stress_way way;
@@ -166,7 +176,7 @@ static bool check_names(const struct stress_options *options, struct sm_error *e
 	for (size_t i = 0; stress_sweep_at(i) != NULL && !known; i++)
 		known = strcmp(stress_sweep_at(i)->name, options->sweep) == 0;
 	if (!known)
-		return error_set(error, SM_ERROR_INPUT, "no sweep \"%.40s\"", options->sweep);
+		return error_unknown_sweep(options->sweep, error);
 	return stress_way_at(0, options->technique, &way) ||
 	       error_set(error, SM_ERROR_INPUT, "no technique \"%.40s\"", options->technique);
 }
