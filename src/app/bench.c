@@ -6,16 +6,20 @@
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/scene_options.h"
 #include "app/target.h"
 #include "app/worker.h"
 #include "base/log.h"
 #include "bench/compare.h"
+#include "bench/contents.h"
 #include "bench/report.h"
 #include "bench/run_facts.h"
 #include "platform.h"
 #include "ref/reference.h"
 #include <limits.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* What children leave for their parent, which opens no device: so that it stays small, and each
  * child can choose how the driver starts. */
@@ -147,6 +151,23 @@ static struct bench_cell cell_at(const struct bench *bench, size_t scene, size_t
 	};
 }
 
+/* Results tell scenes apart by their names. */
+static bool check_names(const struct bench_options *options, struct sm_error *error)
+{
+	for (size_t i = 0; i < options->scene_count; i++)
+		for (size_t j = 0; j < i; j++) {
+			size_t length, other_length;
+			const char *name = scene_name(options->scenes[i], &length);
+			const char *other = scene_name(options->scenes[j], &other_length);
+			if (length == other_length && strncmp(name, other, length) == 0)
+				return error_set(error, SM_ERROR_INPUT,
+					"--scene %.200s: results would have it under the name of "
+					"%.200s",
+					options->scenes[i], options->scenes[j]);
+		}
+	return true;
+}
+
 /* What is wrong shall show at once, and not when hours have gone. */
 static bool check_inputs(struct bench *bench, struct sm_error *error)
 {
@@ -180,19 +201,41 @@ static bool measure_cell(struct bench *bench, const struct bench_cell *cell, str
 	return true;
 }
 
+static struct report report_of(const struct bench *bench)
+{
+	return (struct report){bench->options->out, &bench->results, &bench->facts, output_write};
+}
+
+/* A picture that an earlier run left in the folder is none of this one's. */
+static void remove_difference(const struct bench *bench, const struct result *result)
+{
+	char name[FILE_NAME_MAX], path[PATH_MAX];
+	difference_file_name(result, name);
+	if (snprintf(path, sizeof(path), "%s/%s", bench->options->out, name) < (int)sizeof(path))
+		unlink(path);
+}
+
 /* Writes all there is so far: a run that is stopped keeps what is finished. */
-static bool keep_cell(struct bench *bench, struct sm_error *error)
+static bool keep_cell(struct bench *bench, const struct bench_cell *cell, struct sm_error *error)
 {
 	size_t first = bench->results.count;
 	for (size_t i = 0; i < bench->options->technique_count; i++) {
 		struct result *result = &bench->board->results[i];
 		run_facts_machine(&bench->facts, result->machine, sizeof(result->machine));
+		if (!reference_is_built() || !cell->pictures)
+			remove_difference(bench, result);
 		if (!result_list_add(&bench->results, result, error))
 			return false;
 	}
 	progress_finish(&bench->progress);
-	return bench_output_csv(bench->options->out, &bench->results, error) &&
+	const struct report report = report_of(bench);
+	return report_write_data(&report, error) &&
 	       bench_output_rows(stdout, &bench->results, first, error);
+}
+
+static int verbosity_of(const struct bench_options *options)
+{
+	return options->common.debug ? 2 : options->common.verbosity;
 }
 
 static size_t cell_count(const struct bench_options *options)
@@ -202,16 +245,15 @@ static size_t cell_count(const struct bench_options *options)
 
 static bool measure_all(struct bench *bench, struct sm_error *error)
 {
-	const struct bench_options *options =
-		bench->options; /* What drivers warn of was said when they were tried; each child
-				   would repeat it. */
-	if (options->common.verbosity == 0)
+	const struct bench_options *options = bench->options;
+	/* What drivers warn of was said when they were tried; each child would repeat it. */
+	if (verbosity_of(options) == 0)
 		report_set_verbosity(-1);
 	for (size_t i = 0; i < cell_count(options); i++) {
 		struct bench_cell cell = cell_at(bench,
 			i / options->map_count / options->radius_count,
 			i / options->map_count % options->radius_count, i % options->map_count);
-		if (!measure_cell(bench, &cell, error) || !keep_cell(bench, error))
+		if (!measure_cell(bench, &cell, error) || !keep_cell(bench, &cell, error))
 			return false;
 	}
 	return true;
@@ -226,7 +268,17 @@ static uint32_t total_steps(const struct bench_options *options)
 	return cell * (uint32_t)cell_count(options);
 }
 
-static void add_facts(struct bench *bench)
+/* What changes times, if it is set. */
+static void add_environment(struct run_facts *facts)
+{
+	static const char *const names[] = {
+		"LP_NUM_THREADS", "GALLIUM_DRIVER", "LIBGL_ALWAYS_SOFTWARE"};
+	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
+		if (getenv(names[i]) != NULL)
+			run_facts_add(facts, names[i], "%s", getenv(names[i]));
+}
+
+static bool add_facts(struct bench *bench, struct sm_error *error)
 {
 	const struct bench_options *options = bench->options;
 	const struct board *board = bench->board;
@@ -240,6 +292,8 @@ static void add_facts(struct bench *bench)
 		run_facts_add(&bench->facts, "reference samples", "%u", options->samples);
 	else
 		log_warning("this build has no reference (Embree): errors are not measured");
+	add_environment(&bench->facts);
+	return !bench->facts.failed || error_no_memory(error);
 }
 
 static bool start(struct bench *bench, int argc, char **argv, struct sm_error *error)
@@ -255,9 +309,9 @@ static bool start(struct bench *bench, int argc, char **argv, struct sm_error *e
 	if (options->compare != NULL &&
 		!bench_output_read(&bench->earlier, options->compare, error))
 		return false;
-	if (!check_inputs(bench, error) || !bench_output_prepare(options->out, error))
+	if (!check_names(options, error) || !check_inputs(bench, error) ||
+		!bench_output_prepare(options->out, error) || !add_facts(bench, error))
 		return false;
-	add_facts(bench);
 	bench_output_head(stdout);
 	progress_start(&bench->progress, total_steps(options), options->common.verbosity < 0);
 	return true;
@@ -265,8 +319,8 @@ static bool start(struct bench *bench, int argc, char **argv, struct sm_error *e
 
 static bool conclude(const struct bench *bench, struct sm_error *error)
 {
-	struct report report = {bench->options->out, &bench->results, &bench->facts, output_write};
-	report_set_verbosity(bench->options->common.verbosity);
+	const struct report report = report_of(bench);
+	report_set_verbosity(verbosity_of(bench->options));
 	if (bench->options->compare != NULL)
 		compare_print(&bench->earlier, &bench->results, stdout);
 	return report_write(&report, error);
@@ -297,7 +351,6 @@ static bool run_paper(
 		.models = options->models,
 		.device = options->common.device,
 		.debug = options->common.debug,
-		.tiny = options->quick,
 		.argc = argc,
 		.argv = argv,
 		.progress = show_progress,
@@ -318,7 +371,7 @@ bool bench_run(int argc, char **argv, struct sm_error *error)
 		options_help(&bench_command);
 		return true;
 	}
-	report_set_verbosity(options.common.debug ? 2 : options.common.verbosity);
+	report_set_verbosity(verbosity_of(&options));
 	if (options.stress)
 		return bench_stress(&options, error);
 	if (options.paper)

@@ -28,6 +28,13 @@ bool bench_cell_load(const struct bench_cell *cell, struct bench_size size, stru
 	stage_finish(stage);
 	if (!stage_load(stage, cell->scene, settings, 3, error))
 		return false;
+	if (stage->motion.light != 0) {
+		stage_finish(stage);
+		return error_set(error, SM_ERROR_INPUT,
+			"%.300s: its [motion] is of another light than the first, which is the one "
+			"that is measured",
+			cell->scene);
+	}
 	stage_set_size(stage, size.width, size.height);
 	return true;
 }
@@ -72,6 +79,8 @@ bool bench_cell_label(const struct bench_cell *cell, struct sm_error *error)
 			.triangles = count_triangles(stage.scene),
 			.flicker = NAN,
 		};
+		for (int region = 0; region < REGIONS; region++)
+			result->error[region] = ERROR_NONE;
 		snprintf(result->scene, sizeof(result->scene), "%.*s", (int)length, name);
 		snprintf(result->technique, sizeof(result->technique), "%s",
 			options->techniques[i].name);

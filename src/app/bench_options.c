@@ -74,6 +74,9 @@ static bool check_room(const char *flag, size_t count, size_t max, struct sm_err
 
 static bool add_scene(struct bench_options *options, const char *scene, struct sm_error *error)
 {
+	for (size_t i = 0; i < options->scene_count; i++)
+		if (strcmp(options->scenes[i], scene) == 0)
+			return true;
 	if (!check_room("scene", options->scene_count, BENCH_SCENES_MAX, error))
 		return false;
 	options->scenes[options->scene_count++] = scene;
@@ -89,6 +92,9 @@ static bool add_radius(struct bench_options *options, const char *value, struct 
 		return options_error(error, &bench_command,
 			"--radius %.40s: a share of the light's distance, from 0 to 10, is wanted",
 			value);
+	for (size_t i = 0; i < options->radius_count; i++)
+		if (options->radii[i] == *radius)
+			return true;
 	options->radius_count++;
 	return true;
 }
@@ -98,6 +104,9 @@ static bool add_map(struct bench_options *options, const char *value, struct sm_
 	if (!check_room("map", options->map_count, BENCH_MAPS_MAX, error) ||
 		!read_count("map", value, INT32_MAX, &options->maps[options->map_count], error))
 		return false;
+	for (size_t i = 0; i < options->map_count; i++)
+		if (options->maps[i] == options->maps[options->map_count])
+			return true;
 	options->map_count++;
 	return true;
 }
@@ -233,13 +242,13 @@ static bool read_flag(
 
 /* What a list that nothing was said of is to hold, up to NULL. */
 struct defaults {
-	const char *scenes[9], *radii[4], *maps[3];
+	const char *scenes[7], *radii[4], *maps[3];
 	uint32_t rounds;
 };
 
 static const struct defaults full = {
 	.scenes = {"builtin:cylinder", "builtin:boxes", "builtin:fence", "builtin:knot",
-		"builtin:urchin", "builtin:debris", "builtin:primitives"},
+		"builtin:urchin", "builtin:debris"},
 	.radii = {".03", ".01", ".10"},
 	.maps = {"512", "1024"},
 	.rounds = 15,
@@ -298,7 +307,7 @@ static const uint8_t heeded[] = {
 	[FLAG_SAMPLES - FLAG_OWN] = MODE_RESULTS,
 	[FLAG_OUT - FLAG_OWN] = MODES_ALL,
 	[FLAG_COMPARE - FLAG_OWN] = MODE_RESULTS,
-	[FLAG_QUICK - FLAG_OWN] = MODES_ALL,
+	[FLAG_QUICK - FLAG_OWN] = MODE_RESULTS | MODE_STRESS,
 	[FLAG_STRESS - FLAG_OWN] = MODE_STRESS,
 	[FLAG_SEED - FLAG_OWN] = MODE_STRESS,
 	[FLAG_RANDOM - FLAG_OWN] = MODE_STRESS,

@@ -44,16 +44,6 @@ bool bench_output_file(const char *folder, const char *name,
 	return written;
 }
 
-static void print_csv(FILE *file, const void *data)
-{
-	csv_write(data, file);
-}
-
-bool bench_output_csv(const char *folder, const struct result_list *results, struct sm_error *error)
-{
-	return bench_output_file(folder, "results.csv", print_csv, results, error);
-}
-
 bool bench_output_read(struct result_list *results, const char *path, struct sm_error *error)
 {
 	FILE *file = fopen(path, "re");
@@ -86,9 +76,9 @@ static void print_row(FILE *file, const struct result *result)
 	const struct time_summary *time = &result->time[THREADS_DEFAULT];
 	fprintf(file, "%-12s %5.3g %5u %-20s", result->scene, result->radius, result->map,
 		result->technique);
-	print_number(file, 8, 4, penumbra->pixels > 0 ? penumbra->rmse : NAN);
-	print_number(file, 7, 3, penumbra->pixels > 0 ? penumbra->p99 : NAN);
-	print_number(file, 7, 3, penumbra->pixels > 0 ? penumbra->bias : NAN);
+	print_number(file, 8, 4, penumbra->rmse);
+	print_number(file, 7, 3, penumbra->p99);
+	print_number(file, 7, 3, penumbra->bias);
 	print_number(file, 8, 5, result->flicker);
 	print_number(file, 9, 2, time->median > 0 ? time->median : NAN);
 	print_number(file, 7, 2, time->ratio > 0 ? time->ratio : NAN);

@@ -14,10 +14,6 @@ bool bench_output_prepare(const char *folder, struct sm_error *error);
 bool bench_output_file(const char *folder, const char *name,
 	void (*print)(FILE *file, const void *data), const void *data, struct sm_error *error);
 
-/** bench_output_file() of results.csv alone. */
-bool bench_output_csv(
-	const char *folder, const struct result_list *results, struct sm_error *error);
-
 /** Reads a results.csv into an empty list. Fails (INPUT), also where there is none. */
 bool bench_output_read(struct result_list *results, const char *path, struct sm_error *error);
 

@@ -116,7 +116,7 @@ static bool warm(const struct bench *bench, struct contender *contender, uint32_
 	return draw(bench, contender, error);
 }
 
-/* One frame of each contender a round. */
+/* One frame of each contender a round, forth and back, so that none always follows the same one. */
 static bool take_turns(const struct bench *bench, uint32_t rounds,
 	bool (*frame)(const struct bench *bench, struct contender *contender, uint32_t round,
 		struct sm_error *error),
@@ -124,9 +124,12 @@ static bool take_turns(const struct bench *bench, uint32_t rounds,
 {
 	size_t count = bench->request->count;
 	for (uint32_t round = 0; round < rounds; round++)
-		for (size_t turn = 0; turn < count; turn++)
-			if (!frame(bench, &bench->contenders[(round + turn) % count], round, error))
+		for (size_t turn = 0; turn < count; turn++) {
+			size_t place = (round + turn) % count;
+			size_t which = round % 2 == 0 ? place : count - 1 - place;
+			if (!frame(bench, &bench->contenders[which], round, error))
 				return false;
+		}
 	return true;
 }
 

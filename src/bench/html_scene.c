@@ -136,7 +136,9 @@ static void write_difference(const struct result *result, FILE *file)
 	html_text(result->technique, file);
 	fputs(" and their difference\"></a><figcaption>", file);
 	html_text(result->technique, file);
-	fprintf(file, ": RMSE %.4f</figcaption></figure>\n", result->error[REGION_PENUMBRA].rmse);
+	if (result->error[REGION_PENUMBRA].pixels > 0)
+		fprintf(file, ": RMSE %.4f", result->error[REGION_PENUMBRA].rmse);
+	fputs("</figcaption></figure>\n", file);
 }
 
 static void write_differences(const struct rows *rows, FILE *file)

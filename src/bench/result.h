@@ -3,19 +3,24 @@
 #define BENCH_RESULT_H
 
 #include "base/error.h"
+#include <math.h>
 #include <stddef.h>
 
 /** Pixels that an error is of: all that face the light, and these by how much of it they truly
  *  see. */
 enum region { REGION_ALL, REGION_LIT, REGION_UMBRA, REGION_PENUMBRA, REGIONS };
 
-/** Of technique minus reference, linear visibility in [0, 1]. All 0 without pixels. */
+/** Of technique minus reference, linear visibility in [0, 1]. NAN without
+ * pixels. */
 struct error_summary {
 	uint64_t pixels;
 	double rmse;
 	double bias;          /* mean signed error */
 	double p95, p99, max; /* of its absolute value */
 };
+
+/** Of no pixels. */
+#define ERROR_NONE ((struct error_summary){0, NAN, NAN, NAN, NAN, NAN})
 
 /** How many threads the driver draws with. */
 enum thread_choice { THREADS_DEFAULT, THREADS_NONE, THREAD_CHOICES };

@@ -16,7 +16,11 @@ struct table_column {
 static const struct table_column columns[] = {
 	{"RMSE", "penumbra_rmse", FORMAT_ERROR, true},
 	{"bias", "penumbra_bias", FORMAT_SIGNED, false},
+	{"p95", "penumbra_p95", FORMAT_ERROR, true},
 	{"p99", "penumbra_p99", FORMAT_ERROR, true},
+	{"max", "penumbra_max", FORMAT_ERROR, false},
+	{"RMSE lit", "lit_rmse", FORMAT_ERROR, true},
+	{"RMSE umbra", "umbra_rmse", FORMAT_ERROR, true},
 	{"RMSE of all", "all_rmse", FORMAT_ERROR, true},
 	{"flicker", "flicker", FORMAT_ERROR, true},
 	{"ms", "ms", FORMAT_TIME, false},

@@ -34,7 +34,7 @@ static struct error_summary sum_up(
 		offs[sum.pixels++] = fabs(off);
 	}
 	if (sum.pixels == 0)
-		return sum;
+		return ERROR_NONE;
 	sum.rmse = sqrt(squares / (double)sum.pixels);
 	sum.bias /= (double)sum.pixels;
 	statistics_sort(offs, sum.pixels);
@@ -67,5 +67,5 @@ double visibility_flicker(struct visibility_pair before, struct visibility_pair 
 		sum += fabs((double)after.seen[i] - (double)before.seen[i] - true_change);
 		pixels++;
 	}
-	return pixels > 0 ? sum / (double)pixels : 0;
+	return pixels > 0 ? sum / (double)pixels : NAN;
 }

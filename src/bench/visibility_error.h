@@ -15,7 +15,7 @@ struct visibility_pair {
 };
 
 /** Mean |change of what is seen - change of the truth| from one frame to the next, over pixels that
- *  both have truth of; 0 without any. */
+ *  both have truth of; NAN without any. */
 double visibility_flicker(
 	struct visibility_pair before, struct visibility_pair after, size_t count);
 
