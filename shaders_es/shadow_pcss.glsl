@@ -46,7 +46,9 @@ float shadow_visibility(vec3 p)
 	}
 	mat2 penumbra = axes * (disc_scale * max(s.z - sum / max(blockers, 1.0), 0.0));
 	float lit = 0.0;
-	for (int i = 0; i < disc_count; i++) {
+	// Without a blocker all is lit: the paper's early out, as a loop that drivers can leave.
+	int taps = blockers > 0.0 ? disc_count : 0;
+	for (int i = 0; i < taps; i++) {
 		vec2 tap = penumbra * disc_points[i];
 		lit += textureLod(depth_compare, vec3(s.xy + tap, depth + dot(slope, tap)), 0.0);
 	}
