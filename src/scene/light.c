@@ -58,8 +58,9 @@ struct depth_range {
 	float near, far;
 };
 
-/* A quad has at most four more corners after four planes. */
-#define FACE_CORNERS_MAX 8
+/* Of a quad cut by four planes. Each adds one, but where corners lie in a plane rounding may put
+ * every second one outside: 6, 9, 13, 19. */
+#define FACE_CORNERS_MAX 20
 
 /* A light's screen in view space: |p[axis] - center[axis]| <= extent - slope p.z. */
 struct screen {
@@ -167,6 +168,7 @@ static void spot_frame(struct light_frame *frame, const struct sm_light_desc *li
 		far_plane = 1.0f;
 	float near_plane = casters.near - fminf(slack, casters.near * 1e-3f);
 	near_plane = fmaxf(near_plane, far_plane * NEAR_TO_FAR_MIN);
+	/* At least half of the range, so that 1 - k keeps its digits. */
 	near_plane = fminf(near_plane, far_plane * 0.5f);
 	frame->near = near_plane;
 	frame->far = far_plane;
@@ -226,7 +228,9 @@ static void directional_frame(struct light_frame *frame, const struct sm_light_d
 	if (casters_box(scene, view, found))
 		memcpy(casters, found, sizeof(casters));
 	glm_vec3_sub((float *)light->position, (float *)light->target, path);
-	frame->disc = light->radius / glm_vec3_norm(path);
+	/* Positions that differ may be one where they are counted from far away. */
+	float length = glm_vec3_norm(path);
+	frame->disc = length > 0.0f ? light->radius / length : 0.0f;
 	struct screen screen;
 	fit_directional_screen(&screen, scene, view, casters, frame->disc);
 	float far = farthest_on_screen(&screen, scene, view, -casters[0][2]);
