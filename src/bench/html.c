@@ -3,7 +3,6 @@
 #include "bench/column.h"
 #include "bench/difference.h"
 #include "bench/mean.h"
-#include <math.h>
 
 static const char style[] =
 	":root{color-scheme:light dark;--back:#fff;--text:#1f2328;--soft:#5b636d;--line:#d8dce1;"
@@ -97,27 +96,19 @@ static void write_style(FILE *file)
 	fputs(")}\n</style>\n", file);
 }
 
-static void write_number(const char *format, double value, FILE *file)
-{
-	fputs("<td>", file);
-	if (isnan(value))
-		fputc('-', file);
-	else
-		fprintf(file, format, value);
-	fputs("</td>", file);
-}
-
 static void write_means(const struct contents *contents, const struct result *setting, FILE *file)
 {
+	const struct mean_column *column;
 	char text[160];
 	setting_describe(setting, text, sizeof(text));
 	fputs("<div class=\"scroll\"><table>\n<caption>Means over scenes; ", file);
 	html_text(text, file);
-	fputs("</caption>\n<thead><tr><th scope=\"col\">technique</th><th scope=\"col\">scenes</th>"
-	      "<th scope=\"col\">RMSE</th><th scope=\"col\">bias</th><th scope=\"col\">p99</th>"
-	      "<th scope=\"col\">flicker</th><th scope=\"col\">ms</th><th scope=\"col\">ms / "
-	      "hard</th></tr></thead>\n<tbody>\n",
+	fputs("</caption>\n<thead><tr><th scope=\"col\">technique</th><th "
+	      "scope=\"col\">scenes</th>",
 		file);
+	for (size_t i = 0; (column = mean_column_at(i)) != NULL; i++)
+		fprintf(file, "<th scope=\"col\">%s</th>", column->heading);
+	fputs("</tr></thead>\n<tbody>\n", file);
 	for (size_t i = 0; i < contents->techniques.count; i++) {
 		const struct result *technique = contents->techniques.items[i];
 		struct mean mean = mean_of(contents->results, setting, technique, NULL);
@@ -126,12 +117,11 @@ static void write_means(const struct contents *contents, const struct result *se
 		fputs("<tr><th scope=\"row\">", file);
 		html_text(technique->technique, file);
 		fprintf(file, "</th><td>%zu</td>", mean.scenes);
-		write_number("%.4f", mean.rmse, file);
-		write_number("%+.4f", mean.bias, file);
-		write_number("%.4f", mean.p99, file);
-		write_number("%.4f", mean.flicker, file);
-		write_number("%.2f", mean.ms, file);
-		write_number("%.2f", mean.ratio, file);
+		for (size_t j = 0; (column = mean_column_at(j)) != NULL; j++) {
+			fputs("<td>", file);
+			mean_write(column, &mean, file);
+			fputs("</td>", file);
+		}
 		fputs("</tr>\n", file);
 	}
 	fputs("</tbody></table></div>\n", file);

@@ -3,7 +3,6 @@
 #include "bench/column.h"
 #include "bench/mean.h"
 #include "bench/table.h"
-#include <math.h>
 #include <string.h>
 
 /* Text in which nothing is markup. */
@@ -35,24 +34,19 @@ static void write_plot(const struct contents *contents, const struct result *set
 	fprintf(file, "![Error against time by technique](%s)\n\n", name);
 }
 
-static void write_number(const char *format, double value, FILE *file)
-{
-	fputc(' ', file);
-	if (isnan(value))
-		fputc('-', file);
-	else
-		fprintf(file, format, value);
-	fputs(" |", file);
-}
-
 static void write_means(const struct contents *contents, const struct result *setting, FILE *file)
 {
+	const struct mean_column *column;
+	size_t columns = 0;
 	char text[160];
 	setting_describe(setting, text, sizeof(text));
 	fputs("Means over scenes, ", file);
 	write_text(text, file);
-	fputs(":\n\n| technique | scenes | RMSE | bias | p99 | flicker | ms | ms / hard |\n", file);
-	write_rule(7, file);
+	fputs(":\n\n| technique | scenes |", file);
+	for (; (column = mean_column_at(columns)) != NULL; columns++)
+		fprintf(file, " %s |", column->heading);
+	fputc('\n', file);
+	write_rule(1 + columns, file);
 	for (size_t i = 0; i < contents->techniques.count; i++) {
 		const struct result *technique = contents->techniques.items[i];
 		struct mean mean = mean_of(contents->results, setting, technique, NULL);
@@ -61,12 +55,11 @@ static void write_means(const struct contents *contents, const struct result *se
 		fputs("| ", file);
 		write_text(technique->technique, file);
 		fprintf(file, " | %zu |", mean.scenes);
-		write_number("%.4f", mean.rmse, file);
-		write_number("%+.4f", mean.bias, file);
-		write_number("%.4f", mean.p99, file);
-		write_number("%.4f", mean.flicker, file);
-		write_number("%.2f", mean.ms, file);
-		write_number("%.2f", mean.ratio, file);
+		for (size_t j = 0; j < columns; j++) {
+			fputc(' ', file);
+			mean_write(mean_column_at(j), &mean, file);
+			fputs(" |", file);
+		}
 		fputc('\n', file);
 	}
 	fputc('\n', file);

@@ -2,11 +2,22 @@
 #include "bench/mean.h"
 #include <math.h>
 
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
+
+static const struct mean_column columns[] = {
+	{"RMSE", "%.4f", offsetof(struct mean, rmse)},
+	{"bias", "%+.4f", offsetof(struct mean, bias)},
+	{"p99", "%.4f", offsetof(struct mean, p99)},
+	{"flicker", "%.4f", offsetof(struct mean, flicker)},
+	{"ms", "%.2f", offsetof(struct mean, ms)},
+	{"ms / hard", "%.2f", offsetof(struct mean, ratio)},
+};
+
 static bool belongs(const struct result *result, const struct result *setting,
 	const struct result *technique, const struct result *scene)
 {
-	return result->error[REGION_PENUMBRA].pixels > 0 && same_setting(result, setting) &&
-	       same_technique(result, technique) && (scene == NULL || same_scene(result, scene));
+	return same_setting(result, setting) && same_technique(result, technique) &&
+	       (scene == NULL || same_scene(result, scene));
 }
 
 /* A time of 0 was not measured. */
@@ -19,32 +30,53 @@ struct mean mean_of(const struct result_list *list, const struct result *setting
 	const struct result *technique, const struct result *scene)
 {
 	struct mean sum = {0};
+	size_t penumbrae = 0, judged = 0; /* scenes that have such pixels */
 	for (size_t i = 0; i < list->count; i++) {
 		const struct result *result = &list->items[i];
+		const struct error_summary *penumbra = &result->error[REGION_PENUMBRA];
 		if (!belongs(result, setting, technique, scene))
 			continue;
 		sum.scenes++;
-		sum.rmse += result->error[REGION_PENUMBRA].rmse;
-		sum.bias += result->error[REGION_PENUMBRA].bias;
-		sum.p99 += result->error[REGION_PENUMBRA].p99;
-		sum.flicker += result->flicker;
 		sum.ratio += log_time(result->time[THREADS_DEFAULT].ratio);
 		sum.ms += log_time(result->time[THREADS_DEFAULT].median);
+		if (penumbra->pixels > 0) {
+			penumbrae++;
+			sum.rmse += penumbra->rmse;
+			sum.bias += penumbra->bias;
+			sum.p99 += penumbra->p99;
+		}
+		if (result->error[REGION_ALL].pixels > 0) {
+			judged++;
+			sum.flicker += result->flicker;
+		}
 	}
 	/* No scene makes 0 / 0, which is NAN: not measured. */
-	double count = (double)sum.scenes;
 	return (struct mean){
 		.scenes = sum.scenes,
-		.rmse = sum.rmse / count,
-		.bias = sum.bias / count,
-		.p99 = sum.p99 / count,
-		.flicker = sum.flicker / count,
-		.ratio = exp(sum.ratio / count),
-		.ms = exp(sum.ms / count),
+		.rmse = sum.rmse / (double)penumbrae,
+		.bias = sum.bias / (double)penumbrae,
+		.p99 = sum.p99 / (double)penumbrae,
+		.flicker = sum.flicker / (double)judged,
+		.ratio = exp(sum.ratio / (double)sum.scenes),
+		.ms = exp(sum.ms / (double)sum.scenes),
 	};
 }
 
 bool mean_is_complete(const struct mean *mean)
 {
 	return mean->scenes > 0 && mean->rmse > 0 && mean->ms > 0;
+}
+
+const struct mean_column *mean_column_at(size_t i)
+{
+	return i < COUNT(columns) ? &columns[i] : NULL;
+}
+
+void mean_write(const struct mean_column *column, const struct mean *mean, FILE *file)
+{
+	double value = *(const double *)(const void *)((const char *)mean + column->offset);
+	if (isnan(value))
+		fputc('-', file);
+	else
+		fprintf(file, column->format, value);
 }

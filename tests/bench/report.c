@@ -328,6 +328,26 @@ static void test_columns_that_nothing_was_measured_in_are_left_out(void **state)
 	text_finish(&markdown);
 }
 
+static void test_means_of_times_need_no_errors(void **state)
+{
+	(void)state;
+	struct text html = {0}, markdown = {0};
+	struct result result = make_result("fence", "hard");
+	struct result_list one = {&result, 1, 1};
+	result.time[THREADS_DEFAULT].median = 20;
+	result.time[THREADS_DEFAULT].ratio = 2;
+	result.error[REGION_ALL].pixels = result.error[REGION_PENUMBRA].pixels = 0;
+	write_pages(&one, true, &html, &markdown);
+	assert_contains(html.bytes, "<td>1</td><td>-</td><td>-</td><td>-</td><td>-</td>"
+				    "<td>20.00</td><td>2.00</td>");
+	assert_contains(markdown.bytes,
+		"| technique | scenes | RMSE | bias | p99 | flicker | ms | ms / hard |\n"
+		"|---|--:|--:|--:|--:|--:|--:|--:|\n"
+		"| hard | 1 | - | - | - | - | 20.00 | 2.00 |\n");
+	text_finish(&html);
+	text_finish(&markdown);
+}
+
 static void test_names_of_files_differ_as_scenes_do(void **state)
 {
 	(void)state;
@@ -380,6 +400,7 @@ int main(void)
 		cmocka_unit_test(test_names_are_no_markup),
 		cmocka_unit_test(test_best_values_are_marked),
 		cmocka_unit_test(test_columns_that_nothing_was_measured_in_are_left_out),
+		cmocka_unit_test(test_means_of_times_need_no_errors),
 		cmocka_unit_test(test_names_of_files_differ_as_scenes_do),
 		cmocka_unit_test(test_difference_pictures_are_shown_where_they_are),
 	};
