@@ -116,21 +116,6 @@ static bool draw(struct gallery *gallery, struct sm_renderer *renderer, uint32_t
 	return true;
 }
 
-/* Rows of a PNG are handed over from the bottom, those of a gallery come from the top. */
-static void flip(struct picture *picture)
-{
-	size_t row = 4 * (size_t)picture->width;
-	for (uint32_t y = 0; y < picture->height / 2; y++) {
-		uint8_t *low = picture->rgba + y * row;
-		uint8_t *high = picture->rgba + (picture->height - 1 - y) * row;
-		for (size_t x = 0; x < row; x++) {
-			uint8_t byte = low[x];
-			low[x] = high[x];
-			high[x] = byte;
-		}
-	}
-}
-
 static bool encode(const struct picture *picture, const char *path, struct sm_error *error)
 {
 	struct png png = {0};
@@ -151,8 +136,6 @@ static bool write_difference(const struct gallery *gallery, const char *folder,
 		return error_set(error, SM_ERROR_INPUT, "--out: the name is too long");
 	bool made = difference_montage(&picture, gallery->seen[0], gallery->truth[0].visibility,
 		gallery->target.width, gallery->target.height, error);
-	if (made)
-		flip(&picture);
 	bool written = made && encode(&picture, path, error);
 	difference_finish(&picture);
 	return written;

@@ -85,9 +85,10 @@ bool difference_montage(struct picture *picture, const float *visibility, const 
 		picture->rgba[4 * i + 3] = 255;
 	}
 	for (size_t y = 0; y < height; y++)
-		for (size_t x = 0; x < width; x++)
-			paint_pixel(picture, x, y, stride, visibility[y * width + x],
-				reference[y * width + x]);
+		for (size_t x = 0; x < width; x++) {
+			size_t from = (height - 1 - y) * width + x;
+			paint_pixel(picture, x, y, stride, visibility[from], reference[from]);
+		}
 	return true;
 }
 

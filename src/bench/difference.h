@@ -19,9 +19,8 @@ void difference_color(float error, uint8_t rgb[3]);
 
 /**
  * Makes a picture of three beside each other: reference, technique, and their difference.
- * visibility and reference are width x height, linear in [0, 1], rows from the bottom; where one is
- * NAN there is nothing to compare, and the picture is dark.
- * Fails (MACHINE) when out of memory.
+ * visibility and reference are width x height, linear in [0, 1], rows from the top; where one is
+ * NAN there is nothing to compare, and the picture is dark. Fails (MACHINE) when out of memory.
  */
 bool difference_montage(struct picture *picture, const float *visibility, const float *reference,
 	uint32_t width, uint32_t height, struct sm_error *error);

@@ -55,8 +55,8 @@ static void test_both_signs_are_about_as_dark(void **state)
 static void test_three_pictures_are_beside_each_other(void **state)
 {
 	(void)state;
-	/* 2 x 2, rows from the bottom */
-	static const float visibility[4] = {1, 0, 0.5f, NAN}, reference[4] = {1, 0.5f, 0, 0};
+	/* 2 x 2, rows from the top, but from the bottom in the picture */
+	static const float visibility[4] = {0.5f, NAN, 1, 0}, reference[4] = {0, 0, 1, 0.5f};
 	static const uint8_t white[3] = {255, 255, 255}, black[3] = {0, 0, 0};
 	struct picture picture;
 	uint8_t color[3];
