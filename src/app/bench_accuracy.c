@@ -2,10 +2,9 @@
 /* How far the visibility that a technique draws is off the truth, in a picture and from frame to
  * frame. */
 #include "app/bench_cell.h"
+#include "app/bench_view.h"
 #include "app/output.h"
 #include "app/png.h"
-#include "app/target.h"
-#include "base/array.h"
 #include "bench/contents.h"
 #include "bench/difference.h"
 #include "bench/visibility_error.h"
@@ -13,7 +12,6 @@
 #include "ref/reference.h"
 #include <limits.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #define FLICKER_FRAMES 6
 #define FLICKER_SIZE 256 /* pixels a side at most */
@@ -22,13 +20,9 @@
 #define TRUTH_STEPS 20
 #define FLICKER_TRUTH_STEPS 6
 
-/* A light's visibility as pictures of one size, drawn and true, rows from the top. */
+/* A light's visibility, drawn and true. */
 struct gallery {
-	struct stage stage; /* of that size */
-	struct target target;
-	size_t pixels;
-	uint8_t *rgba;                          /* owned */
-	float *seen[2];                         /* owned: of this frame and the one before */
+	struct bench_view view;
 	struct reference truth[FLICKER_FRAMES]; /* by frame */
 	uint32_t frames;
 };
@@ -52,16 +46,16 @@ static bool trace(struct gallery *gallery, const struct bench_cell *cell, uint32
 {
 	struct advance so_far = {cell, steps, 0};
 	struct reference_request request = {
-		.scene = gallery->stage.scene,
-		.camera = gallery->stage.camera,
-		.width = gallery->target.width,
-		.height = gallery->target.height,
+		.scene = gallery->view.stage.scene,
+		.camera = gallery->view.stage.camera,
+		.width = gallery->view.target.width,
+		.height = gallery->view.target.height,
 		.samples = cell->options->samples,
 		.cache = cell->cache,
 		.progress = advance,
 		.progress_data = &so_far,
 	};
-	bool traced = stage_set_time(&gallery->stage, frame, error) &&
+	bool traced = stage_set_time(&gallery->view.stage, frame, error) &&
 		      reference_trace(&gallery->truth[frame], &request, error);
 	advance(&so_far, 1); /* one from the cache tells nothing */
 	return traced;
@@ -70,17 +64,9 @@ static bool trace(struct gallery *gallery, const struct bench_cell *cell, uint32
 static bool gallery_init(struct gallery *gallery, const struct bench_cell *cell,
 	struct bench_size size, uint32_t frames, uint32_t steps, struct sm_error *error)
 {
-	if (!bench_cell_load(cell, size, &gallery->stage, error) ||
-		!target_init(
-			&gallery->target, TARGET_VISIBILITY, size.width, size.height, 1, error))
+	if (!bench_cell_load(cell, size, &gallery->view.stage, error) ||
+		!bench_view_init(&gallery->view, error))
 		return false;
-	/* The target is within the driver's limits: below 2^32 pixels. */
-	gallery->pixels = (size_t)size.width * size.height;
-	gallery->rgba = array_alloc(gallery->pixels, 4);
-	for (int i = 0; i < 2; i++)
-		gallery->seen[i] = array_alloc(gallery->pixels, sizeof(float));
-	if (gallery->rgba == NULL || gallery->seen[0] == NULL || gallery->seen[1] == NULL)
-		return error_no_memory(error);
 	for (gallery->frames = 0; gallery->frames < frames; gallery->frames++)
 		if (!trace(gallery, cell, gallery->frames, steps, error))
 			return false;
@@ -91,29 +77,13 @@ static void gallery_finish(struct gallery *gallery)
 {
 	for (uint32_t frame = 0; frame < gallery->frames; frame++)
 		reference_finish(&gallery->truth[frame]);
-	free(gallery->rgba);
-	free(gallery->seen[0]);
-	free(gallery->seen[1]);
-	target_finish(&gallery->target);
-	stage_finish(&gallery->stage);
+	bench_view_finish(&gallery->view);
 }
 
 static bool draw(struct gallery *gallery, struct sm_renderer *renderer, uint32_t frame,
 	struct sm_error *error)
 {
-	struct sm_view view = {
-		.camera = gallery->stage.camera,
-		.framebuffer = gallery->target.framebuffer,
-		.width = gallery->target.width,
-		.height = gallery->target.height,
-		.visibility_of = 0,
-	};
-	if (!stage_set_time(&gallery->stage, frame, error) ||
-		!sm_renderer_draw(renderer, gallery->stage.scene, &view, error) ||
-		!target_read(&gallery->target, gallery->rgba, error))
-		return false;
-	target_decode_visibility(&gallery->target, gallery->rgba, gallery->seen[frame % 2]);
-	return true;
+	return bench_view_draw(&gallery->view, renderer, frame % 2, frame, error);
 }
 
 static bool encode(const struct picture *picture, const char *path, struct sm_error *error)
@@ -134,8 +104,9 @@ static bool write_difference(const struct gallery *gallery, const char *folder,
 	difference_file_name(result, name);
 	if (snprintf(path, sizeof(path), "%s/%s", folder, name) >= (int)sizeof(path))
 		return error_set(error, SM_ERROR_INPUT, "--out: the name is too long");
-	bool made = difference_montage(&picture, gallery->seen[0], gallery->truth[0].visibility,
-		gallery->target.width, gallery->target.height, error);
+	bool made =
+		difference_montage(&picture, gallery->view.seen[0], gallery->truth[0].visibility,
+			gallery->view.target.width, gallery->view.target.height, error);
 	bool written = made && encode(&picture, path, error);
 	difference_finish(&picture);
 	return written;
@@ -145,8 +116,8 @@ static bool measure_error(struct gallery *gallery, struct sm_renderer *renderer,
 	const struct bench_cell *cell, struct result *result, struct sm_error *error)
 {
 	return draw(gallery, renderer, 0, error) &&
-	       visibility_error(gallery->seen[0], gallery->truth[0].visibility, gallery->pixels,
-		       result->error, error) &&
+	       visibility_error(gallery->view.seen[0], gallery->truth[0].visibility,
+		       gallery->view.pixels, result->error, error) &&
 	       (!cell->pictures || write_difference(gallery, cell->options->out, result, error));
 }
 
@@ -161,10 +132,10 @@ static bool measure_flicker(struct gallery *gallery, struct sm_renderer *rendere
 		if (!draw(gallery, renderer, frame, error))
 			return false;
 		struct visibility_pair before = {
-			gallery->seen[(frame - 1) % 2], gallery->truth[frame - 1].visibility};
+			gallery->view.seen[(frame - 1) % 2], gallery->truth[frame - 1].visibility};
 		struct visibility_pair after = {
-			gallery->seen[frame % 2], gallery->truth[frame].visibility};
-		sum += visibility_flicker(before, after, gallery->pixels);
+			gallery->view.seen[frame % 2], gallery->truth[frame].visibility};
+		sum += visibility_flicker(before, after, gallery->view.pixels);
 	}
 	result->flicker = sum / (FLICKER_FRAMES - 1);
 	return true;

@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* What can be seen of shadows, in numbers: aliasing, how they move, and how far they are off. */
 #include "app/bench_paper_part.h"
-#include "app/target.h"
-#include "base/array.h"
+#include "app/bench_view.h"
 #include "bench/statistics.h"
 #include "bench/visibility_error.h"
 #include "platform.h"
 #include "ref/reference.h"
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 #define LOOK_MAP 512   /* texels a side */
@@ -19,15 +16,11 @@
 #define SNAP_SECONDS 5
 #define SNAP_CHANGES_MAX 40
 
-/* Two pictures of a light's visibility in one scene. */
+/* Two pictures of one scene, and what draws them. */
 struct look {
-	struct stage stage;
 	struct platform *platform;
-	struct target target;
+	struct bench_view view;
 	struct sm_renderer *renderer;
-	size_t pixels;
-	uint8_t *rgba;  /* owned */
-	float *seen[2]; /* owned */
 };
 
 static uint32_t look_side(const struct paper_options *options)
@@ -44,16 +37,11 @@ static uint32_t fine_map(const struct paper_options *options)
 static bool look_init(struct look *look, const struct paper_part *part, const char *source,
 	uint32_t side, struct sm_error *error)
 {
-	*look = (struct look){.pixels = (size_t)side * side};
-	if (!paper_stage_load(&look->stage, source, side, error) ||
+	*look = (struct look){0};
+	if (!paper_stage_load(&look->view.stage, source, side, error) ||
 		(look->platform = paper_open(part, error)) == NULL ||
-		!target_init(&look->target, TARGET_VISIBILITY, side, side, 1, error))
+		!bench_view_init(&look->view, error))
 		return false;
-	look->rgba = array_alloc(look->pixels, 4);
-	for (int i = 0; i < 2; i++)
-		look->seen[i] = array_alloc(look->pixels, sizeof(float));
-	if (look->rgba == NULL || look->seen[0] == NULL || look->seen[1] == NULL)
-		return error_no_memory(error);
 	look->renderer = sm_renderer_create(platform_get_proc, error);
 	return look->renderer != NULL;
 }
@@ -61,31 +49,16 @@ static bool look_init(struct look *look, const struct paper_part *part, const ch
 static void look_finish(struct look *look)
 {
 	sm_renderer_destroy(look->renderer);
-	free(look->rgba);
-	free(look->seen[0]);
-	free(look->seen[1]);
-	target_finish(&look->target);
+	bench_view_finish(&look->view);
 	platform_destroy(look->platform);
-	stage_finish(&look->stage);
 }
 
 /* Draws one of the two pictures. */
 static bool look_draw(struct look *look, const struct paper_part *part, int which, double seconds,
 	struct sm_error *error)
 {
-	if (!stage_set_time(&look->stage, seconds, error))
+	if (!bench_view_draw(&look->view, look->renderer, which, seconds, error))
 		return false;
-	struct sm_view view = {
-		.camera = look->stage.camera,
-		.framebuffer = look->target.framebuffer,
-		.width = look->target.width,
-		.height = look->target.height,
-		.visibility_of = 0,
-	};
-	if (!sm_renderer_draw(look->renderer, look->stage.scene, &view, error) ||
-		!target_read(&look->target, look->rgba, error))
-		return false;
-	target_decode_visibility(&look->target, look->rgba, look->seen[which]);
 	paper_step((void *)part);
 	return true;
 }
@@ -93,12 +66,12 @@ static bool look_draw(struct look *look, const struct paper_part *part, int whic
 static double mean_square(const struct look *look)
 {
 	double sum = 0;
-	for (size_t i = 0; i < look->pixels; i++) {
-		double change = (double)look->seen[1][i] - (double)look->seen[0][i];
+	for (size_t i = 0; i < look->view.pixels; i++) {
+		double change = (double)look->view.seen[1][i] - (double)look->view.seen[0][i];
 		sum += change * change;
 	}
 	/* A picture has pixels. */
-	return sum / (double)look->pixels;
+	return sum / (double)look->view.pixels;
 }
 
 static bool measure_aliasing(struct look *look, const struct paper_part *part,
@@ -199,20 +172,20 @@ static bool compare(struct look *look, const struct paper_part *part,
 {
 	struct reference truth;
 	struct reference_request request = {
-		.scene = look->stage.scene,
-		.camera = look->stage.camera,
-		.width = look->target.width,
-		.height = look->target.height,
+		.scene = look->view.stage.scene,
+		.camera = look->view.stage.camera,
+		.width = look->view.target.width,
+		.height = look->view.target.height,
 		.samples = 256,
 	};
 	bool compared = reference_trace(&truth, &request, error);
 	paper_step((void *)part);
 	for (size_t i = 0; i < comparison->count && compared; i++) {
 		struct error_summary off[REGIONS];
-		compared =
-			sm_renderer_set_shadows(look->renderer, &comparison->shadow[i], error) &&
-			look_draw(look, part, 0, 0, error) &&
-			visibility_error(look->seen[0], truth.visibility, look->pixels, off, error);
+		compared = sm_renderer_set_shadows(look->renderer, &comparison->shadow[i], error) &&
+			   look_draw(look, part, 0, 0, error) &&
+			   visibility_error(look->view.seen[0], truth.visibility, look->view.pixels,
+				   off, error);
 		if (compared) {
 			comparison->error[i]->rmse += weight * off[REGION_PENUMBRA].rmse;
 			comparison->error[i]->bias += weight * off[REGION_PENUMBRA].bias;
