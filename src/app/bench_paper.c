@@ -63,14 +63,27 @@ static size_t scene_count(const struct paper_options *options)
 	return options->tiny ? 1 : COUNT(scenes);
 }
 
+/* Whether a model is wanted for a scene; its path in 4096 bytes. */
+static bool model_path(const struct paper_options *options, size_t scene, char *path)
+{
+	const char *model = scenes[scene].model;
+	return options->models != NULL && model != NULL &&
+	       snprintf(path, 4096, "%s/%s", options->models, model) < 4096;
+}
+
+static void warn_of_missing_models(const struct paper_options *options)
+{
+	char path[4096];
+	for (size_t i = 0; i < scene_count(options); i++)
+		if (model_path(options, i, path) && access(path, R_OK) != 0)
+			log_warning("%s is not there: %s stands for it", path, scenes[i].name);
+}
+
 /* A model where there is one, or what stands for it; says what the scene is called. */
 static const char *scene_source(const struct paper_part *part, char path[4096])
 {
-	const struct paper_options *options = part->options;
+	bool there = model_path(part->options, part->scene, path) && access(path, R_OK) == 0;
 	const char *model = scenes[part->scene].model;
-	bool there = options->models != NULL && model != NULL &&
-		     snprintf(path, 4096, "%s/%s", options->models, model) < 4096 &&
-		     access(path, R_OK) == 0;
 	struct paper_scene *scene = &part->result->scenes[part->scene];
 	snprintf(scene->name, sizeof(scene->name), "%s", there ? model : scenes[part->scene].name);
 	scene->wanted = scenes[part->scene].triangles;
@@ -139,13 +152,13 @@ static bool look_at_scene(const struct paper_part *part, struct sm_error *error)
 	return paper_look_at_scene(part, scene_source(part, path), error);
 }
 
-/* Of each scene, and then of all. */
+/* First, of each scene, and then of all. */
+static const struct job driver_job = {"driver", describe_driver, no_steps};
 static const struct job scene_jobs[] = {
 	{"times", time_scene, paper_time_scene_steps},
 	{"pictures", look_at_scene, paper_look_at_scene_steps},
 };
 static const struct job jobs[] = {
-	{"driver", describe_driver, no_steps},
 	{"meshes", paper_time_meshes, paper_time_meshes_steps},
 	{"sizes of maps", paper_time_sizes, paper_time_sizes_steps},
 	{"errors", paper_look_closer, paper_look_closer_steps},
@@ -181,6 +194,8 @@ static bool run_jobs(struct paper *paper, const struct job *job, size_t count, s
 static bool measure_all(struct paper *paper, struct sm_error *error)
 {
 	struct paper_result *result = &paper->board->result;
+	if (!run_jobs(paper, &driver_job, 1, 0, error))
+		return false;
 	for (size_t scene = 0; scene < scene_count(paper->options); scene++) {
 		if (!run_jobs(paper, scene_jobs, COUNT(scene_jobs), scene, error))
 			return false;
@@ -270,22 +285,31 @@ static void result_init(struct paper_result *result)
 	result->snapping_coarse = result->snapping_fine = NAN;
 }
 
+/* Measures, and keeps what came before a failure too: that took its time. */
+static bool measure_and_write(struct paper *paper, struct sm_error *error)
+{
+	const struct paper_options *options = paper->options;
+	double start = stopwatch_now();
+	bool measured = measure_all(paper, error);
+	paper->result = paper->board->result;
+	if (paper->result.scene_count == 0)
+		return measured;
+	paper->result.seconds = (stopwatch_now() - start) / 1000;
+	run_facts_init(&paper->result.facts, options->argc, options->argv);
+	bool written = write_all(paper, measured ? error : NULL);
+	run_facts_finish(&paper->result.facts);
+	return measured && written;
+}
+
 bool paper_run(const struct paper_options *options, struct sm_error *error)
 {
-	double start = stopwatch_now();
 	struct paper paper = {.options = options, .board = worker_share(sizeof(*paper.board))};
 	if (paper.board == NULL)
 		return error_no_memory(error);
 	result_init(&paper.board->result);
 	paper.total = count_steps(options);
-	bool done = prepare(options, error) && measure_all(&paper, error);
-	if (done) {
-		paper.result = paper.board->result;
-		paper.result.seconds = (stopwatch_now() - start) / 1000;
-		run_facts_init(&paper.result.facts, options->argc, options->argv);
-		done = write_all(&paper, error);
-		run_facts_finish(&paper.result.facts);
-	}
+	warn_of_missing_models(options);
+	bool done = prepare(options, error) && measure_and_write(&paper, error);
 	worker_unshare(paper.board, sizeof(*paper.board));
 	return done;
 }

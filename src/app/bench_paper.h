@@ -20,7 +20,8 @@ struct paper_options {
 
 /**
  * Measures what Chan & Durand 2003 and Volokh report (bench/paper_result.h), and writes paper.csv,
- * paper.md and, where gnuplot is there, its plots as SVG and PNG into the folder.
+ * paper.md and, where gnuplot is there, its plots as SVG and PNG into the folder; when a part
+ * fails, of what was measured before, if that is one scene or more.
  *
  * Work is done in child processes: call it while there are no other threads and no GL. Fails as
  * what it measures does, (INPUT) where the folder cannot be written to.

@@ -160,15 +160,17 @@ static bool measure_snapping(
 	return true;
 }
 
+#define WAYS_MAX 3
+
 /* Ways to draw one scene, and sums of what each is off over scenes. */
 struct comparison {
 	const struct sm_shadow_options *shadow; /* [count] */
-	struct paper_error **error;             /* [count] */
 	size_t count;
+	struct paper_error sum[WAYS_MAX];
 };
 
-static bool compare(struct look *look, const struct paper_part *part,
-	const struct comparison *comparison, double weight, struct sm_error *error)
+static bool compare(struct look *look, const struct paper_part *part, struct comparison *comparison,
+	double weight, struct sm_error *error)
 {
 	struct reference truth;
 	struct reference_request request = {
@@ -187,21 +189,19 @@ static bool compare(struct look *look, const struct paper_part *part,
 			   visibility_error(look->view.seen[0], truth.visibility, look->view.pixels,
 				   off, error);
 		if (compared) {
-			comparison->error[i]->rmse += weight * off[REGION_PENUMBRA].rmse;
-			comparison->error[i]->bias += weight * off[REGION_PENUMBRA].bias;
+			comparison->sum[i].rmse += weight * off[REGION_PENUMBRA].rmse;
+			comparison->sum[i].bias += weight * off[REGION_PENUMBRA].bias;
 		}
 	}
 	reference_finish(&truth);
 	return compared;
 }
 
-/* Means over the scenes. */
+/* Finds means over the scenes, for each way. */
 static bool compare_all(const struct paper_part *part, const char *const *sources, size_t count,
-	const struct comparison *comparison, struct sm_error *error)
+	struct comparison *comparison, struct sm_error *error)
 {
 	bool compared = true;
-	for (size_t i = 0; i < comparison->count; i++)
-		*comparison->error[i] = (struct paper_error){0};
 	for (size_t i = 0; i < count && compared; i++) {
 		struct look look;
 		compared =
@@ -229,13 +229,21 @@ static bool measure_errors(const struct paper_part *part, struct sm_error *error
 	static const struct sm_shadow_options widths[] = {
 		{.technique = "smoothie", .map_size = LOOK_MAP, .width = .02f},
 		{.technique = "smoothie", .map_size = LOOK_MAP, .width = .08f}};
+	_Static_assert(COUNT(soft) <= WAYS_MAX && COUNT(widths) <= WAYS_MAX, "room for every way");
 	struct paper_result *result = part->result;
-	struct paper_error *soft_errors[] = {&result->hard, &result->linear, &result->sinusoid};
-	struct paper_error *width_errors[] = {&result->thin, &result->thick};
-	struct comparison of_soft = {soft, soft_errors, COUNT(soft)};
-	struct comparison of_widths = {widths, width_errors, COUNT(widths)};
-	return compare_all(part, study, study_count(part->options), &of_soft, error) &&
-	       compare_all(part, fence, 1, &of_widths, error);
+	struct comparison of_soft = {.shadow = soft, .count = COUNT(soft)};
+	struct comparison of_widths = {.shadow = widths, .count = COUNT(widths)};
+	/* Sums of some scenes are no means: the result gets whole ones. */
+	if (!compare_all(part, study, study_count(part->options), &of_soft, error))
+		return false;
+	result->hard = of_soft.sum[0];
+	result->linear = of_soft.sum[1];
+	result->sinusoid = of_soft.sum[2];
+	if (!compare_all(part, fence, 1, &of_widths, error))
+		return false;
+	result->thin = of_widths.sum[0];
+	result->thick = of_widths.sum[1];
+	return true;
 }
 
 bool paper_look_closer(const struct paper_part *part, struct sm_error *error)

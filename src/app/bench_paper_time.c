@@ -189,12 +189,13 @@ uint32_t paper_time_scene_steps(const struct paper_options *options)
 	       (uint32_t)widths.count * (TIMING_WARM_FRAMES + width_rounds(options));
 }
 
+/* NAN: there is no such pass. */
 static double pass_ms(const struct timing *timing, const char *name)
 {
 	for (int i = 0; i < PASSES_MAX && timing->passes[i].name[0] != '\0'; i++)
 		if (strcmp(timing->passes[i].name, name) == 0)
 			return timing->passes[i].ms;
-	return 0;
+	return NAN;
 }
 
 static const char *const shapes[] = {"urchin", "debris"};

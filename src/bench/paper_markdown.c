@@ -16,7 +16,8 @@ static void write_cell(FILE *file, int digits, double value)
 
 static void write_head(FILE *file, const struct paper_result *result)
 {
-	static const char *const keys[] = {"version", "commit", "date", "processor", "cores"};
+	static const char *const keys[] = {
+		"version", "commit", "date", "command", "system", "processor", "cores"};
 	fputs("# The papers' own tables\n\n"
 	      "What Chan & Durand report in \"Rendering Fake Soft Shadows with Smoothies\" (2003), "
 	      "and Volokh of\n"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The papers' tables from end to end, in little. */
-#include "app/bench_paper.h"
+#include "app/bench_paper_part.h"
+#include "base/log.h"
 #include <dirent.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,16 +13,37 @@
 
 #include <cmocka.h>
 
+static char *argv[] = {(char *)"bench", (char *)"--paper", NULL};
+
 /* How far the run said it was. */
 struct watch {
 	uint32_t done, total;
+	uint32_t end; /* of the device, in steps; 0: it stays */
+	char device[16];
 };
 
 static void watch(void *data, uint32_t done, uint32_t total)
 {
 	struct watch *watch = data;
 	assert_true(done >= watch->done && done <= total);
-	*watch = (struct watch){done, total};
+	watch->done = done;
+	watch->total = total;
+	if (watch->end != 0 && done >= watch->end)
+		strcpy(watch->device, "/dev/gone");
+}
+
+static struct paper_options tiny_options(const char *folder, struct watch *progress)
+{
+	*progress = (struct watch){.device = "surfaceless"};
+	return (struct paper_options){
+		.out = folder,
+		.device = progress->device,
+		.tiny = true,
+		.argc = 2,
+		.argv = argv,
+		.progress = watch,
+		.progress_data = progress,
+	};
 }
 
 static int make_folder(void **state)
@@ -98,18 +120,9 @@ static void check_numbers(const char *csv)
 static void a_run_writes_tables_and_plots(void **state)
 {
 	const char *folder = *state;
-	static char *argv[] = {(char *)"smoothie", (char *)"bench", NULL};
-	struct watch progress = {0};
+	struct watch progress;
 	struct sm_error error;
-	struct paper_options options = {
-		.out = folder,
-		.device = "surfaceless",
-		.tiny = true,
-		.argc = 2,
-		.argv = argv,
-		.progress = watch,
-		.progress_data = &progress,
-	};
+	struct paper_options options = tiny_options(folder, &progress);
 	if (!paper_run(&options, &error))
 		fail_msg("%s", error.text);
 	/* Of what ends between two looks, it hears no more. */
@@ -118,6 +131,8 @@ static void a_run_writes_tables_and_plots(void **state)
 	check_numbers(csv);
 	assert_non_null(strstr(markdown, "## Claims"));
 	assert_non_null(strstr(markdown, "| generated knot, 5.7k |"));
+	assert_non_null(strstr(markdown, "- command: smoothie bench --paper\n"));
+	assert_non_null(strstr(markdown, "- system: Linux "));
 	free(csv);
 	free(markdown);
 	if (system("command -v gnuplot >/dev/null") == 0) {
@@ -130,15 +145,50 @@ static void a_run_writes_tables_and_plots(void **state)
 	}
 }
 
+static void what_came_before_a_failure_is_kept(void **state)
+{
+	const char *folder = *state;
+	struct watch progress;
+	struct sm_error error;
+	struct paper_options options = tiny_options(folder, &progress);
+	progress.end = paper_time_scene_steps(&options) + 1;
+	assert_false(paper_run(&options, &error));
+	assert_non_null(strstr(error.text, "/dev/gone"));
+	char *csv = read_file(folder, "paper.csv"), *markdown = read_file(folder, "paper.md");
+	assert_true(value_of(csv, "scenes,\"generated knot, 5.7k\",hard,256,,frame,") > 0);
+	assert_null(strstr(csv, "snapping,"));
+	assert_non_null(strstr(markdown, "OpenGL ES"));
+	free(csv);
+	free(markdown);
+}
+
+static char warning[300];
+
+static void keep_warning(void *data, enum sm_log_level level, const char *line)
+{
+	(void)data;
+	assert_int_equal(level, SM_LOG_WARNING);
+	snprintf(warning, sizeof(warning), "%s", line);
+}
+
+static void a_model_that_is_missing_is_told(void **state)
+{
+	struct watch progress;
+	struct sm_error error;
+	struct paper_options options = tiny_options(*state, &progress);
+	options.models = "/nowhere";
+	options.device = "/dev/gone";
+	log_set_sink(keep_warning, NULL);
+	assert_false(paper_run(&options, &error));
+	log_set_sink(NULL, NULL);
+	assert_string_equal(
+		warning, "/nowhere/spot.glb is not there: generated knot, 5.7k stands for it");
+}
+
 static void a_folder_that_cannot_be_is_refused_at_once(void **state)
 {
-	static char *argv[] = {(char *)"smoothie", NULL};
-	struct watch progress = {0};
-	struct paper_options options = {.out = "/dev/null/folder",
-		.argc = 1,
-		.argv = argv,
-		.progress = watch,
-		.progress_data = &progress};
+	struct watch progress;
+	struct paper_options options = tiny_options("/dev/null/folder", &progress);
 	struct sm_error error;
 	(void)state;
 	assert_false(paper_run(&options, &error));
@@ -146,11 +196,14 @@ static void a_folder_that_cannot_be_is_refused_at_once(void **state)
 	assert_int_equal(progress.done, 0);
 }
 
+#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, make_folder, remove_folder)
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup_teardown(
-			a_run_writes_tables_and_plots, make_folder, remove_folder),
+		IN_FOLDER(a_run_writes_tables_and_plots),
+		IN_FOLDER(what_came_before_a_failure_is_kept),
+		IN_FOLDER(a_model_that_is_missing_is_told),
 		cmocka_unit_test(a_folder_that_cannot_be_is_refused_at_once),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
