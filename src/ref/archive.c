@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "ref/archive.h"
-#include "base/array.h"
 #include "base/log.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
 #include <limits.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -21,11 +19,12 @@ struct header {
 
 static const char magic[8] = "SMREF 01";
 
-/* FOLDER/ID.reference in PATH_MAX bytes. */
-static bool file_path(const char *folder, const struct content_id *id, char *path)
+/* FOLDER/ID.EXTENSION in PATH_MAX bytes. */
+static bool file_path(
+	const char *folder, const struct content_id *id, const char *extension, char *path)
 {
-	int length = snprintf(path, PATH_MAX, "%s/%016" PRIx64 "%016" PRIx64 ".reference", folder,
-		id->words[0], id->words[1]);
+	int length = snprintf(path, PATH_MAX, "%s/%016" PRIx64 "%016" PRIx64 ".%s", folder,
+		id->words[0], id->words[1], extension);
 	return length > 0 && length < PATH_MAX;
 }
 
@@ -54,7 +53,7 @@ bool archive_load(const char *folder, const struct content_id *id, float *visibi
 {
 	char path[PATH_MAX];
 	struct header found;
-	FILE *file = file_path(folder, id, path) ? open_to_read(path) : NULL;
+	FILE *file = file_path(folder, id, "reference", path) ? open_to_read(path) : NULL;
 	if (file == NULL)
 		return false;
 	bool whole = fread(&found, sizeof(found), 1, file) == 1 &&
@@ -83,22 +82,22 @@ static bool write_values(int fd, const struct header *header, const float *visib
 	return fclose(file) == 0 && written;
 }
 
+/* The same name each time: what a killed process leaves is written over. Who writes at once with
+ * another writes the same bytes, and a file that is read too early is found to be damaged. */
 void archive_save(
 	const char *folder, const struct content_id *id, const float *visibility, size_t count)
 {
-	static const char suffix[] = ".XXXXXX";
-	char path[PATH_MAX], temporary[PATH_MAX + sizeof(suffix)];
+	char path[PATH_MAX], part[PATH_MAX];
 	struct header header = header_of(id, visibility, count);
-	if (!file_path(folder, id, path))
+	if (!file_path(folder, id, "reference", path) || !file_path(folder, id, "part", part))
 		return;
-	mkdir(folder, S_IRWXU);
-	snprintf(temporary, sizeof(temporary), "%s%s", path, suffix);
-	int fd = mkstemp(temporary);
-	bool saved = fd >= 0 && write_values(fd, &header, visibility, count) &&
-		     rename(temporary, path) == 0;
+	mkdir(folder, 0777);
+	int fd = open(part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+	bool saved =
+		fd >= 0 && write_values(fd, &header, visibility, count) && rename(part, path) == 0;
 	if (saved)
 		return;
 	log_debug("a reference is not kept in %s (%s)", folder, strerror(errno));
 	if (fd >= 0)
-		unlink(temporary);
+		unlink(part);
 }

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -88,6 +89,53 @@ static void a_finished_reference_is_not_traced_again(void **state)
 	assert_memory_equal(first.visibility, second.visibility, BYTES);
 	reference_finish(&second);
 	reference_finish(&first);
+	edge_finish(&edge);
+}
+
+/* What a process leaves that is killed while it writes. */
+static void make_partial(const char *path)
+{
+	char part[400];
+	assert_int_equal(truncate(path, 100000), 0);
+	snprintf(part, sizeof(part), "%.*s.part", (int)(strrchr(path, '.') - path), path);
+	assert_int_equal(rename(path, part), 0);
+}
+
+static void what_was_left_half_written_is_written_over(void **state)
+{
+	(void)state;
+	struct edge edge;
+	struct reference reference;
+	edge_init(&edge, SM_LIGHT_SPOT, 0.5f, 1, 0);
+	is_traced(&reference, &edge);
+	reference_finish(&reference);
+	list(make_partial);
+	for (int again = 0; again < 2; again++) {
+		assert_true(is_traced(&reference, &edge) == (again == 0));
+		reference_finish(&reference);
+		assert_int_equal(list(NULL), 1);
+	}
+	edge_finish(&edge);
+}
+
+static void assert_readable_by_all(const char *path)
+{
+	struct stat found;
+	assert_int_equal(stat(path, &found), 0);
+	assert_int_equal(found.st_mode & 0777, 0644);
+}
+
+static void the_umask_says_who_may_read(void **state)
+{
+	(void)state;
+	struct edge edge;
+	struct reference reference;
+	mode_t before = umask(022);
+	edge_init(&edge, SM_LIGHT_SPOT, 0.5f, 1, 0);
+	is_traced(&reference, &edge);
+	umask(before);
+	assert_int_equal(list(assert_readable_by_all), 1);
+	reference_finish(&reference);
 	edge_finish(&edge);
 }
 
@@ -265,6 +313,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		archive_test(a_finished_reference_is_not_traced_again),
+		archive_test(what_was_left_half_written_is_written_over),
+		archive_test(the_umask_says_who_may_read),
 		archive_test(a_damaged_file_is_replaced),
 		archive_test(whatever_counts_makes_another_reference),
 		archive_test(a_folder_that_cannot_be_is_no_failure),
