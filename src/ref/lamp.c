@@ -3,7 +3,7 @@
 #include "ref/vector.h"
 
 /* Sine above the surface that the lowest point of the light must have: below, visibility hangs on
- * the last digits of the surface. As in the study's ground truth. */
+ * the last digits of the surface. As in the ground truth of the study (docs/reference.md). */
 #define CLEARANCE 0.02
 
 /* Two unit vectors that are perpendicular to a unit vector and to each other. */
