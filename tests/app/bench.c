@@ -28,6 +28,7 @@ static struct outcome bench(const char *const *arguments, size_t file_limit)
 	size_t count = 7;
 	for (; *arguments != NULL && count < MAX_ARGUMENTS; arguments++)
 		run.arguments[count++] = *arguments;
+	assert_null(*arguments);
 	return run_program(&run);
 }
 #define BENCH(...) bench((const char *const[]){__VA_ARGS__, NULL}, 0)
@@ -126,6 +127,20 @@ static void check_result(const struct result *result, const char *technique)
 	assert_true(result->machine[0] != '\0');
 }
 
+static void check_files(void)
+{
+	static const char *const names[] = {
+		"out/results.csv", "out/results.json", "out/report.html", "out/results.md"};
+	static const char *const differences[] = {
+		"out/differences/cylinder-hard-r0.1-m64-float.png",
+		"out/differences/cylinder-smoothie-r0.1-m64-float.png"};
+	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
+		if (access(names[i], R_OK) != 0)
+			fail_msg("there is no %s", names[i]);
+	for (size_t i = 0; i < 2; i++)
+		assert_int_equal(access(differences[i], R_OK), SMOOTHIE_HAS_REFERENCE ? 0 : -1);
+}
+
 static void test_a_run_leaves_a_row_for_each_technique(void **state)
 {
 	(void)state;
@@ -149,7 +164,7 @@ static void test_a_run_leaves_a_row_for_each_technique(void **state)
 	}
 	assert_non_null(strstr(outcome.out, "penumbra"));
 	assert_non_null(strstr(outcome.out, "\ncylinder       0.1    64 smoothie "));
-	assert_int_equal(access("out/results.json", R_OK), 0);
+	check_files();
 	result_list_finish(&results);
 	outcome_finish(&outcome);
 }
@@ -198,6 +213,32 @@ static void test_choices_of_samples_are_techniques_of_their_own(void **state)
 	for (size_t i = 0; i < results.count; i++)
 		assert_string_equal(results.items[i].technique, names[i]);
 	result_list_finish(&results);
+	outcome_finish(&outcome);
+}
+
+/* The file that is compared with is the one that the run writes anew. Times may have changed,
+ * errors not. */
+static void test_a_run_is_compared_with_an_earlier_one(void **state)
+{
+	(void)state;
+	unsigned better, worse, alike, added;
+	struct outcome outcome = BENCH("--technique=hard", "--radius=.1", "--quick", "--out=out");
+	assert_success(&outcome);
+	assert_null(strstr(outcome.out, " alike"));
+	outcome_finish(&outcome);
+	outcome = BENCH("--technique=hard", "--technique=smoothie", "--radius=.1", "--quick",
+		"--out=out", "--compare=out/results.csv");
+	assert_success(&outcome);
+	const char *added_line =
+		strstr(outcome.out, "\nnew     cylinder, smoothie, float, radius 0.1, map 64\n");
+	assert_non_null(added_line);
+	assert_int_equal(sscanf(strchr(added_line + 1, '\n'),
+				 " %u better, %u worse, %u alike, 0 gone, %u new", &better, &worse,
+				 &alike, &added),
+		4);
+	assert_int_equal(better + worse + alike, 1);
+	assert_int_equal(added, 1);
+	assert_null(strstr(outcome.out, "_rmse"));
 	outcome_finish(&outcome);
 }
 
@@ -378,6 +419,7 @@ int main(void)
 		IN_SCRATCH(test_hard_is_timed_unasked),
 		IN_SCRATCH(test_rows_go_through_scenes_radii_and_maps),
 		IN_SCRATCH(test_choices_of_samples_are_techniques_of_their_own),
+		IN_SCRATCH(test_a_run_is_compared_with_an_earlier_one),
 		IN_SCRATCH(test_a_full_disk_is_an_error_and_keeps_what_was_there),
 		IN_SCRATCH(test_stress_prints_a_line_for_each_sweep),
 		IN_SCRATCH(test_signals_end_it_and_its_children),

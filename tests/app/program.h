@@ -9,7 +9,7 @@
 
 /** Runs the program that was built, and looks at what it leaves. */
 
-#define MAX_ARGUMENTS 12
+#define MAX_ARGUMENTS 16
 
 /** How to run it; zero in a field: nothing special. */
 struct run {
