@@ -65,11 +65,13 @@ static void test_only_what_belongs_together_counts(void **state)
 static void test_errors_are_of_scenes_with_such_pixels(void **state)
 {
 	(void)state;
-	struct result rows[] = {make_row("a", .1, 2), make_row("b", NAN, 8)};
-	rows[1].error[REGION_PENUMBRA].pixels = 0;
+	/* The second has no penumbra, and of the third nothing is judged. */
+	struct result rows[] = {make_row("a", .1, 2), make_row("b", NAN, 8), make_row("c", NAN, 4)};
+	rows[1].error[REGION_PENUMBRA].pixels = rows[2].error[REGION_PENUMBRA].pixels = 0;
+	rows[2].error[REGION_ALL].pixels = 0;
 	rows[1].flicker = .075;
 	struct mean mean = mean_of_rows(rows, COUNT(rows), NULL);
-	assert_int_equal(mean.scenes, 2);
+	assert_int_equal(mean.scenes, 3);
 	NEAR(mean.rmse, .1);
 	NEAR(mean.bias, -.05);
 	NEAR(mean.p99, .2);
