@@ -1,19 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/target.h"
 
+/* Of the formats that are drawn into. */
 static uint64_t texel_bytes(GLenum internal_format)
 {
 	switch (internal_format) {
-	case GL_R8:
-		return 1;
-	case GL_R16F:
-	case GL_RG8:
-	case GL_DEPTH_COMPONENT16:
-		return 2;
-	case GL_RGBA16F:
 	case GL_RG32F:
 		return 8;
-	case GL_RGBA32F:
 	case GL_RGBA32UI:
 		return 16;
 	default:

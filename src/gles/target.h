@@ -16,8 +16,8 @@ struct target {
 uint64_t texture_bytes(GLenum internal_format, GLsizei width, GLsizei height, GLsizei layers);
 
 /** Nearest filtering, clamped to the edge. attachment:
- * GL_COLOR_ATTACHMENT0 or GL_DEPTH_ATTACHMENT. Leaves the target bound as framebuffer. On failure
- * (MACHINE) finish() is still to be called. */
+ * GL_COLOR_ATTACHMENT0 or GL_DEPTH_ATTACHMENT. Leaves the target bound as framebuffer, and the
+ * texture at unit 0. On failure (MACHINE) finish() is still to be called. */
 bool target_init(struct target *target, struct gl *gl, GLsizei size, GLenum internal_format,
 	GLenum attachment, struct sm_error *error);
 /** The same with an array of layers; the first of them is bound. */

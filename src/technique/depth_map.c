@@ -41,6 +41,13 @@ bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
 	return true;
 }
 
+bool depth_map_init_once(
+	struct depth_map *map, struct gpu *gpu, GLsizei size, struct sm_error *error)
+{
+	return map->target.texture != 0 ||
+	       depth_map_init(map, gpu, (uint32_t)size, DEPTH_MAP_NEAREST, error);
+}
+
 void depth_map_finish(struct depth_map *map, struct gpu *gpu)
 {
 	gl_delete_sampler(&gpu->gl, &map->compare);
@@ -112,8 +119,7 @@ bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const stru
 	const struct light_frame *frame, GLsizei size, struct target_area area,
 	struct sm_error *error)
 {
-	if (map->target.texture == 0 &&
-		!depth_map_init(map, gpu, (uint32_t)size, DEPTH_MAP_NEAREST, error))
+	if (!depth_map_init_once(map, gpu, size, error))
 		return false;
 	gl_push_group(&gpu->gl, "receiver map");
 	target_bind(&map->target, &gpu->gl);

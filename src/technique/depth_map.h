@@ -33,6 +33,10 @@ bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content 
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error);
 
+/** Initialises a zeroed map, of receivers, the first time that it is needed. */
+bool depth_map_init_once(
+	struct depth_map *map, struct gpu *gpu, GLsizei size, struct sm_error *error);
+
 /** Draws what receives and does not cast within an area alone; what is around it is not touched.
  *  Initialises a zeroed map, of this size. */
 bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,

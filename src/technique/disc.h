@@ -18,7 +18,7 @@ struct disc {
 void disc_init(struct disc *disc, uint32_t count);
 
 /** How far apart, window x or y, the ends of a ray from the middle of the light and of one from its
- *  rim are on the light's screen, for each unit of window depth between them. */
+ *  rim are on the light's screen, for each unit of window depth between them. Finite. */
 float disc_scale(const struct light_frame *frame);
 
 /** Sets disc_points, disc_count and disc_scale of a program that is in use. */

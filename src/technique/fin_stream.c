@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/fin_stream.h"
 #include "base/array.h"
-#include <float.h>
+#include "technique/disc.h"
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -188,11 +188,7 @@ struct target_area fin_stream_area(const struct fin_stream *stream, GLsizei map_
 
 float fin_stream_spread(const struct light_frame *frame, GLsizei map_size)
 {
-	/* Window depth is linear in 1 / z for a spot, K (1 - near / z), and in z otherwise. */
-	float range =
-		frame->parallel ? frame->far - frame->near : 1.0f / (frame->pole * frame->near);
-	/* Finite, so that a difference of 0 gives 0. */
-	return fminf(0.5f * (float)map_size * frame->disc / frame->half_extent * range, FLT_MAX);
+	return (float)map_size * disc_scale(frame);
 }
 
 size_t fin_stream_bytes(const struct fin_stream *stream)
