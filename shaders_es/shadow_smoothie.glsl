@@ -5,7 +5,7 @@ uniform sampler2D smoothie_map; // linear depth, alpha'
 uniform sampler2D smoothie_depth;
 #endif
 
-// One step of a 16-bit float, or of 10 bits, just below depth 1.
+// One step of 10 bits; two of a half just below depth 1.
 const float SMOOTHIE_STEP = 1.0 / 1024.0;
 
 float shadow_visibility(vec3 p)

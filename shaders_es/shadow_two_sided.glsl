@@ -26,7 +26,8 @@ float disc_area(float s)
 // from: way from the texel's centre to the receiver; lit: of the shadow map there, 0 or 1.
 float texel_visibility(ivec2 texel, vec2 from, receiver r, float lit)
 {
-	uvec3 fin = texelFetch(fin_map, texel, 0).xyz;
+	// A map of one texel has its corner beside the map.
+	uvec3 fin = texelFetch(fin_map, max(texel, ivec2(0)), 0).xyz;
 	bool inside = fin.y >> 31 != 0u;
 	float b = abs(uintBitsToFloat(fin.y));
 	// An edge does not darken what is in front of it. Where the map does not agree on which side

@@ -7,17 +7,18 @@ uniform float min_variance;   // what rounding may take
 // the bound lets through where blockers overlap (Lauritzen, GPU Gems 3, chapter 8).
 const float BLEEDING = 0.1;
 
-#ifdef FETCH
+#ifdef FOUR_FETCHES
 vec2 filtered_moments(vec2 at)
 {
 	vec2 texel = clamp(at * map_size.x - 0.5, vec2(0.0), vec2(map_size.x - 1.0));
 	vec2 corner = min(floor(texel), vec2(map_size.x - 2.0));
 	vec2 f = texel - corner;
-	ivec2 low = ivec2(corner);
+	// A map of one texel has its corner beside the map.
+	ivec2 low = max(ivec2(corner), ivec2(0)), high = ivec2(corner) + 1;
 	vec2 lower = mix(texelFetch(moment_map, low, 0).rg,
-		texelFetch(moment_map, low + ivec2(1, 0), 0).rg, f.x);
-	vec2 upper = mix(texelFetch(moment_map, low + ivec2(0, 1), 0).rg,
-		texelFetch(moment_map, low + ivec2(1, 1), 0).rg, f.x);
+		texelFetch(moment_map, ivec2(high.x, low.y), 0).rg, f.x);
+	vec2 upper = mix(texelFetch(moment_map, ivec2(low.x, high.y), 0).rg,
+		texelFetch(moment_map, high, 0).rg, f.x);
 	return mix(lower, upper, f.y);
 }
 #else

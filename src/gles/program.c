@@ -33,7 +33,7 @@ static GLuint compile(
 	gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
 	if (compiled)
 		return shader;
-	char name[200], info[1000] = "";
+	char name[256], info[1000] = "";
 	gl->GetShaderInfoLog(shader, sizeof(info), NULL, info);
 	log_numbered_source(parts, count);
 	log_error("%s", info);
@@ -68,7 +68,7 @@ static bool link_program(struct gl *gl, GLuint name, struct program_key key, str
 		gl->LinkProgram(name);
 		gl->GetProgramiv(name, GL_LINK_STATUS, &linked);
 		if (!linked) {
-			char text[200], info[1000] = "";
+			char text[256], info[1000] = "";
 			gl->GetProgramInfoLog(name, sizeof(info), NULL, info);
 			log_error("%s", info);
 			error_set(error, SM_ERROR_MACHINE, "the driver does not link \"%s\"",

@@ -33,7 +33,7 @@ static const struct {
 	FLAG(PCSS),
 	FLAG(MAPS),
 	FLAG(VSM),
-	FLAG(FETCH),
+	FLAG(FOUR_FETCHES),
 	FLAG(FROM_DEPTH),
 #undef FLAG
 };
@@ -96,7 +96,7 @@ static const struct {
 		{
 			.name = "surface",
 			.flags = FLAG_LIT | FLAG_SHADOWED | SHADOW_FLAGS | FLAG_SEPARATE_DEPTH |
-				 FLAG_GATHER | FLAG_FETCH | FLAG_TEXTURED | FLAG_VISIBILITY |
+				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
 				 FLAG_ENCODE_SRGB,
 			.parts =
 				{
@@ -157,7 +157,7 @@ bool program_key_is_valid(struct program_key key)
 	return count_bits(flags & SHADOW_FLAGS) == (flags & FLAG_SHADOWED ? 1 : 0) &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
-	       implies(flags, FLAG_FETCH, FLAG_VSM) &&
+	       implies(flags, FLAG_FOUR_FETCHES, FLAG_VSM) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | FLAG_BICUBIC)) &&
 	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB) &&
 	       (key.kind != PROGRAM_BLUR || implies(flags, FLAG_RECEIVER_MAP, FLAG_FROM_DEPTH)) &&

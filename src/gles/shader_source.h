@@ -47,7 +47,7 @@ enum program_flag {
 	FLAG_PCSS = 1 << 18,
 	FLAG_MAPS = 1 << 19,
 	FLAG_VSM = 1 << 20,
-	FLAG_FETCH = 1 << 21,
+	FLAG_FOUR_FETCHES = 1 << 21,
 	FLAG_FROM_DEPTH = 1 << 22,
 	FLAG_END = 1 << 23,
 };

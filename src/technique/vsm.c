@@ -30,7 +30,7 @@ static bool vsm_init(void *state, struct gpu *gpu, const struct sm_shadow_option
 			gpu->caps.renderer);
 	vsm->blur_radius = (GLint)options->samples / 2;
 	vsm->min_variance = format == GL_RG32F ? MIN_VARIANCE_32F : MIN_VARIANCE_16F;
-	vsm->surface_flags = FLAG_VSM | (gpu->caps.moments_filtered ? 0 : FLAG_FETCH);
+	vsm->surface_flags = FLAG_VSM | (gpu->caps.moments_filtered ? 0 : FLAG_FOUR_FETCHES);
 	if (!depth_map_init(&vsm->map, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
 		!target_init(&vsm->rows, gl, size, format, GL_COLOR_ATTACHMENT0, error) ||
 		!target_init(&vsm->moments, gl, size, format, GL_COLOR_ATTACHMENT0, error))
@@ -54,12 +54,9 @@ static void vsm_finish(void *state, struct gpu *gpu)
 static bool draw_receivers(struct vsm *vsm, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
-	if (vsm->receivers.target.texture == 0 &&
-		!depth_map_init(&vsm->receivers, gpu, (uint32_t)vsm->map.target.size,
-			DEPTH_MAP_NEAREST, error))
-		return false;
-	return depth_map_draw(
-		&vsm->receivers, gpu, scene, frame, DEPTH_OF_FARTHEST_RECEIVERS, error);
+	return depth_map_init_once(&vsm->receivers, gpu, vsm->map.target.size, error) &&
+	       depth_map_draw(
+		       &vsm->receivers, gpu, scene, frame, DEPTH_OF_FARTHEST_RECEIVERS, error);
 }
 
 static bool blur(const struct vsm *vsm, struct gpu *gpu, const struct light_frame *frame,
@@ -119,7 +116,7 @@ static void vsm_bind(const void *state, struct gpu *gpu, const struct light_fram
 	const struct program *program)
 {
 	const struct vsm *vsm = state;
-	depth_map_bind(&vsm->map, gpu, frame, program);
+	depth_map_set_receiver(gpu, vsm->map.target.size, DEPTH_MAP_LINEAR, frame, program);
 	gpu_bind_texture(gpu, UNIT_MOMENTS, vsm->moments.texture);
 	gpu->gl.Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 	gpu->gl.Uniform1f(program->uniform.min_variance, vsm->min_variance);

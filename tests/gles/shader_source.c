@@ -33,7 +33,7 @@ static const struct {
 	{FLAG_PCSS, "PCSS"},
 	{FLAG_MAPS, "MAPS"},
 	{FLAG_VSM, "VSM"},
-	{FLAG_FETCH, "FETCH"},
+	{FLAG_FOUR_FETCHES, "FOUR_FETCHES"},
 	{FLAG_FROM_DEPTH, "FROM_DEPTH"},
 };
 
@@ -159,7 +159,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_BICUBIC | FLAG_PCSS},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_PCSS | FLAG_GATHER},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_VSM | FLAG_MAPS},
-		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_MAPS | FLAG_FETCH},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_MAPS | FLAG_FOUR_FETCHES},
 		{PROGRAM_BLUR, FLAG_RECEIVER_MAP}, /* of what is blurred already */
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_GATHER},
@@ -174,7 +174,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 static void names_tell_variants_apart(void **state)
 {
 	(void)state;
-	char text[200], cut[8];
+	char text[256], cut[8];
 	struct program_key key = {PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD};
 	assert_string_equal(program_key_name(key, text, sizeof(text)), "surface LIT SHADOWED HARD");
 	assert_string_equal(program_key_name(key, cut, sizeof(cut)), "surface");
