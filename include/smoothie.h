@@ -198,22 +198,24 @@ SM_API void sm_renderer_set_program_store(
 enum sm_falloff {
 	SM_FALLOFF_DEFAULT,
 	SM_FALLOFF_LINEAR,
-	SM_FALLOFF_SINUSOID, /**< (1 - cos(pi a)) / 2, from a table (Chan & Durand 2003, section 4)
-			      */
+	/** smoothie: (1 - cos(pi a)) / 2, from a table (Chan & Durand 2003, section 4);
+	 *  penumbra-map: 3 a^2 - 2 a^3 */
+	SM_FALLOFF_SINUSOID,
 };
 
 /** How shadows are made. Zero in a field means the default. A field that the technique does not
  *  use must stay zero: setting it is an error. */
 struct sm_shadow_options {
 	const char *technique; /**< a name of sm_technique_name(); NULL: the default, "smoothie" */
-	uint32_t map_size;     /**< texels a side of the shadow map, 1 to the driver's limit; up to 2
-				    show no shadow, since border texels stay clear;
-				    default 1024 */
-	float width;           /**< smoothie: t of the paper, the fins' width as a share of the
-				    light's screen, (0, 1]; default: from the light's radius */
-	enum sm_falloff falloff; /**< smoothie: default linear */
+	uint32_t map_size; /**< texels a side of the shadow map, 1 to the driver's limit; up to 2
+				show no shadow, since border texels stay clear;
+				default 1024 */
+	float width;       /**< smoothie: t of the paper, the fins' width as a share of the
+				light's screen, (0, 1]; default: from the light's radius */
+	enum sm_falloff falloff; /**< smoothie, penumbra-map: default linear */
 	uint32_t samples; /**< one of sm_technique_samples(): how many look-ups or shadow maps
-			       a pixel takes; default the first of them */
+			       a pixel takes, or vsm: the blur's width in texels; default the
+			       first of them */
 	uint32_t passes;  /**< smoothie: 2 fills the smoothie buffer in two passes, nearest
 			       depth and then minimum alpha, as the paper does; default 1 */
 };
@@ -251,7 +253,8 @@ struct sm_view {
 
 /** Draws shadows and frame. Expects GL's state at its defaults, but for the viewport and what is
  *  bound as program, framebuffer, vertex array, array buffer and 2D textures; leaves at the
- * defaults what it changed, but for framebuffer and viewport, which are the view's. */
+ *  defaults what it changed, also when it fails, but for framebuffer and viewport, which are the
+ *  view's, and the scissor box. */
 SM_API bool sm_renderer_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 	const struct sm_view *view, struct sm_error *error);
 

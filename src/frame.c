@@ -102,49 +102,63 @@ static bool check_view(const struct sm_renderer *renderer, const struct sm_scene
 	return true;
 }
 
-bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *given,
-	const struct sm_view *view, struct sm_error *error)
+/* Adding lights up takes linear light, which blending has on sRGB framebuffers alone. */
+static bool draw_by_accumulator(
+	struct surface_pass *pass, const struct sm_view *view, struct sm_error *error)
 {
+	struct gpu *gpu = &pass->renderer->gpu;
+	struct accumulator *accumulator = &pass->renderer->accumulator;
+	pass->flags = 0;
+	if (!accumulator_bind(accumulator, &gpu->gl, view->width, view->height, error) ||
+		!draw_lights(pass, 0, (uint32_t)pass->scene->light_count, accumulator->framebuffer,
+			error))
+		return false;
+	gpu->gl.BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
+	return accumulator_copy(accumulator, gpu, error);
+}
+
+static bool draw_view(struct surface_pass *pass, const struct sm_view *view, struct sm_error *error)
+{
+	struct sm_renderer *renderer = pass->renderer;
 	struct gpu *gpu = &renderer->gpu;
 	struct gl *gl = &gpu->gl;
-	mat4 world_to_clip;
-	if (!check_view(renderer, given, view, error) ||
-		!local_scene_find(&renderer->local, given, &view->camera, error))
+	uint32_t light_count = (uint32_t)pass->scene->light_count, light = view->visibility_of;
+	if (!gpu_scene_update(&gpu->scene, gl, pass->scene, &gpu->stats.uploaded_bytes, error))
 		return false;
-	const struct sm_scene *scene = renderer->local.scene;
-	if (!camera_world_to_clip(&renderer->local.camera, scene, view->width, view->height,
-		    world_to_clip, error) ||
-		!gpu_scene_update(&gpu->scene, gl, scene, &gpu->stats.uploaded_bytes, error))
-		return false;
-	if (!draw_order_find(&renderer->order, scene, world_to_clip))
+	if (!draw_order_find(&renderer->order, pass->scene, pass->world_to_clip))
 		return error_no_memory(error);
+	gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
+	if (light != SM_NONE) {
+		pass->flags = FLAG_VISIBILITY;
+		return draw_lights(pass, light, light + 1, view->framebuffer, error);
+	}
+	if (!gl_framebuffer_is_srgb(gl, view->framebuffer))
+		pass->flags = FLAG_ENCODE_SRGB;
+	if (pass->flags & FLAG_ENCODE_SRGB && light_count > 1)
+		return draw_by_accumulator(pass, view, error);
+	return draw_lights(pass, 0, light_count, view->framebuffer, error);
+}
+
+bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
+	const struct sm_view *view, struct sm_error *error)
+{
+	struct gl *gl = &renderer->gpu.gl;
+	struct local_scene *local = &renderer->local;
+	mat4 world_to_clip;
+	if (!check_view(renderer, scene, view, error) ||
+		!local_scene_find(local, scene, &view->camera, error) ||
+		!camera_world_to_clip(&local->camera, local->scene, view->width, view->height,
+			world_to_clip, error))
+		return false;
 	struct surface_pass pass = {.renderer = renderer,
-		.scene = scene,
+		.scene = local->scene,
 		.world_to_clip = world_to_clip,
 		.width = view->width,
 		.height = view->height};
-	bool visibility = view->visibility_of != SM_NONE;
-	uint32_t first = visibility ? view->visibility_of : 0;
-	uint32_t last = visibility ? first + 1 : (uint32_t)scene->light_count;
+	bool drawn = draw_view(&pass, view, error);
+	/* A failure may have been anywhere. */
+	gpu_restore_state(&renderer->gpu);
 	gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
-	if (visibility)
-		pass.flags = FLAG_VISIBILITY;
-	else if (!gl_framebuffer_is_srgb(gl, view->framebuffer))
-		pass.flags = FLAG_ENCODE_SRGB;
-	/* Adding lights up takes linear light, which blending has on sRGB framebuffers alone. */
-	bool accumulate = pass.flags & FLAG_ENCODE_SRGB && last - first > 1;
-	GLuint framebuffer = view->framebuffer;
-	if (accumulate) {
-		pass.flags = 0;
-		if (!accumulator_bind(&renderer->accumulator, gl, view->width, view->height, error))
-			return false;
-		framebuffer = renderer->accumulator.framebuffer;
-	}
-	bool drawn = draw_lights(&pass, first, last, framebuffer, error);
-	if (drawn && accumulate) {
-		gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
-		drawn = accumulator_copy(&renderer->accumulator, gpu, error);
-	}
-	gpu_restore_state(gpu);
+	gl->Viewport(0, 0, (GLsizei)view->width, (GLsizei)view->height);
 	return drawn;
 }

@@ -133,7 +133,9 @@ void gpu_fill_viewport(struct gpu *gpu, GLuint texture)
 void gpu_restore_state(struct gpu *gpu)
 {
 	struct gl *gl = &gpu->gl;
+	gl->Disable(GL_SCISSOR_TEST);
 	gl->Disable(GL_BLEND);
+	gl->BlendEquation(GL_FUNC_ADD);
 	gl->BlendFunc(GL_ONE, GL_ZERO);
 	gl->Disable(GL_CULL_FACE);
 	gl->FrontFace(GL_CCW);

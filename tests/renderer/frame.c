@@ -331,6 +331,7 @@ static void assert_gl_is_as_promised(const struct canvas *canvas)
 		GLint value;
 	} defaults[] = {
 		{GL_DEPTH_TEST, GL_FALSE},
+		{GL_SCISSOR_TEST, GL_FALSE},
 		{GL_BLEND, GL_FALSE},
 		{GL_DITHER, GL_TRUE},
 		{GL_CULL_FACE, GL_FALSE},
@@ -398,6 +399,65 @@ static void gl_is_left_at_its_defaults(void **state)
 		}
 		canvas_finish(&canvas);
 	}
+}
+
+/* A driver that does not compile one of the shaders: sources until then. */
+static unsigned int good_sources;
+
+static void GL_APIENTRY spoil_source(
+	GLuint shader, GLsizei count, const GLchar *const *strings, const GLint *lengths)
+{
+	static const GLchar *const spoiled = "#error";
+	PFNGLSHADERSOURCEPROC source = (PFNGLSHADERSOURCEPROC)platform_get_proc("glShaderSource");
+	if (good_sources-- == 0)
+		source(shader, 1, &spoiled, NULL);
+	else
+		source(shader, count, strings, lengths);
+}
+
+static void (*get_spoiling_proc(const char *name))(void)
+{
+	return strcmp(name, "glShaderSource") == 0 ? (void (*)(void))spoil_source
+						   : platform_get_proc(name);
+}
+
+/* With the first shader, the second, ... until there is none left to spoil; how many failed. */
+static unsigned int spoil_one_by_one(struct rig *rig, const char *technique)
+{
+	const struct sm_shadow_options options = {.technique = technique};
+	unsigned int failures = 0;
+	bool drawn = false;
+	while (!drawn) {
+		struct canvas canvas;
+		struct sm_renderer *renderer = sm_renderer_create(get_spoiling_proc, NULL);
+		assert_non_null(renderer);
+		assert_true(sm_renderer_set_shadows(renderer, &options, NULL));
+		canvas_init(&canvas, GL_RGBA8, SIZE, SIZE / 2);
+		const struct sm_view view = {.camera = low,
+			.framebuffer = canvas.framebuffer,
+			.width = SIZE,
+			.height = SIZE / 2,
+			.visibility_of = SM_NONE};
+		good_sources = failures;
+		drawn = sm_renderer_draw(renderer, rig->scene, &view, NULL);
+		assert_gl_is_as_promised(&canvas);
+		failures += !drawn;
+		canvas_finish(&canvas);
+		sm_renderer_destroy(renderer);
+	}
+	rig->problems = 0; /* they are wanted */
+	return failures;
+}
+
+static void so_it_is_when_drawing_fails(void **state)
+{
+	struct rig *rig = *state;
+	set_up(rig->scene, PART_CASTS, PART_RECEIVES);
+	parts_add_light(rig->scene, &lamp);
+	/* Depth, fins, and more than one kind of surface, of two shaders each. */
+	assert_true(spoil_one_by_one(rig, "smoothie") >= 6);
+	assert_true(spoil_one_by_one(rig, "smoothie-two-sided") >= 6);
+	assert_true(spoil_one_by_one(rig, "vsm") >= 6);
 }
 
 static void so_it_is_after_a_copy_to_a_screen(void **state)
@@ -491,6 +551,7 @@ int main(void)
 		rig_test(without_a_light_there_is_a_picture_and_no_visibility),
 		rig_test(cameras_that_see_nothing_are_refused),
 		rig_test(gl_is_left_at_its_defaults),
+		rig_test(so_it_is_when_drawing_fails),
 		rig_test(so_it_is_after_a_copy_to_a_screen),
 		rig_test(a_lamp_in_a_room_sees_what_is_near),
 		rig_test(the_counters_are_those_of_the_last_frame),
