@@ -35,6 +35,10 @@ static void write_scene(struct run *run, const char *place, const struct stress_
 	struct sm_error error;
 	if (options->folder == NULL)
 		return;
+	if (!stress_file_can_say(scene)) {
+		fprintf(options->lines, "  no scene file can say it\n");
+		return;
+	}
 	file_name(place, name, sizeof(name));
 	if (!stress_file_write(scene, options->folder, name, path, sizeof(path), &error) ||
 		!stress_file_check(path, &run->probe, NULL, &fault, &error)) {
@@ -128,13 +132,16 @@ static bool run_random_scenes(struct run *run, struct sm_error *error)
 	const struct stress_options *options = run->options;
 	uint32_t failures = run->failures;
 	bool ok = true;
+	/* Before they are drawn, which might crash. */
+	if (options->random_scenes > 0)
+		fprintf(options->lines, "random scenes %5" PRIu32 " of seed %" PRIu64 "\n",
+			options->random_scenes, options->seed);
+	fflush(options->lines);
 	for (uint32_t i = 0; i < options->random_scenes && ok; i++)
 		ok = run_random_scene(run, i, error);
 	if (ok && options->random_scenes > 0)
-		fprintf(options->lines,
-			"random scenes %5" PRIu32 " of seed %" PRIu64 ", %" PRIu32
-			" break a rule\n",
-			options->random_scenes, options->seed, run->failures - failures);
+		fprintf(options->lines, "random scenes %5" PRIu32 " break a rule\n",
+			run->failures - failures);
 	return ok;
 }
 

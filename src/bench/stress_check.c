@@ -123,7 +123,7 @@ bool stress_check_scene(struct stress_probe *probe, const struct stress_scene *s
 	struct sm_scene *built = stress_scene_build(scene, &error);
 	if (built == NULL)
 		return stress_fault_set(
-			fault, STRESS_FAULT_REFUSED, "it is refused: %s", error.text);
+			fault, STRESS_FAULT_INVALID, "it is refused: %s", error.text);
 	const struct stress_subject subject = {
 		.scene = built,
 		.camera = scene->camera,

@@ -106,8 +106,19 @@ static GLint strip_rows(GLint width)
 	return rows > 0 ? rows : 1;
 }
 
+static bool is_finite(const float *value, bool halves)
+{
+	uint32_t bits;
+	memcpy(&bits, value, sizeof(bits));
+	/* Not one whose exponent is all ones. */
+	if (halves)
+		return (~bits & 0x7c00) != 0 && (~bits & 0x7c000000) != 0;
+	return isfinite(*value);
+}
+
+/* bits: the target holds those of floats, as integers. */
 static void check_strip(struct stress_probe *probe, GLint y, GLint width, GLint rows,
-	GLenum attachment, const char *pass)
+	GLenum attachment, bool bits, const char *pass)
 {
 	size_t count = 4 * (size_t)width * (size_t)rows;
 	if (!array_reserve((void **)&probe->values, &probe->value_capacity, count,
@@ -115,9 +126,12 @@ static void check_strip(struct stress_probe *probe, GLint y, GLint width, GLint 
 		stress_fault_set(probe->fault, STRESS_FAULT_OTHER, "out of memory");
 		return;
 	}
-	glReadPixels(0, y, width, rows, GL_RGBA, GL_FLOAT, probe->values);
+	if (bits)
+		glReadPixels(0, y, width, rows, GL_RGBA_INTEGER, GL_UNSIGNED_INT, probe->values);
+	else
+		glReadPixels(0, y, width, rows, GL_RGBA, GL_FLOAT, probe->values);
 	for (size_t i = 0; i < count; i++)
-		if (!isfinite(probe->values[i])) {
+		if (!is_finite(&probe->values[i], bits && i % 4 == 0)) {
 			stress_fault_set(probe->fault, STRESS_FAULT_FLOAT,
 				"pass \"%s\" writes %g to channel %zu of target %u at %zu, %zu",
 				pass, (double)probe->values[i], i % 4,
@@ -127,7 +141,8 @@ static void check_strip(struct stress_probe *probe, GLint y, GLint width, GLint 
 		}
 }
 
-static bool has_floats(GLenum attachment)
+/* GL_NONE: there is no such attachment. */
+static GLint component_type(GLenum attachment)
 {
 	GLint kind = GL_NONE, type = GL_NONE;
 	glGetFramebufferAttachmentParameteriv(
@@ -135,34 +150,43 @@ static bool has_floats(GLenum attachment)
 	if (kind != GL_NONE)
 		glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, attachment,
 			GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-	return type == GL_FLOAT;
+	return type;
 }
 
-/* Reads all that a pass has left in targets of floats. */
-static void check_pass(void *data, const char *pass)
+bool stress_probe_check_targets(
+	struct stress_probe *probe, const char *pass, struct stress_fault *fault)
 {
-	struct stress_probe *probe = data;
 	GLint viewport[4], bound = 0, read_buffer = GL_NONE;
 	glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
 	glGetIntegerv(GL_READ_BUFFER, &read_buffer);
 	glGetIntegerv(GL_VIEWPORT, viewport);
+	probe->fault = fault;
 	if (bound == 0)
-		return;
+		return true;
 	for (GLenum i = GL_COLOR_ATTACHMENT0; i < GL_COLOR_ATTACHMENT0 + 4; i++) {
-		if (!has_floats(i))
+		GLint type = component_type(i);
+		if (type != GL_FLOAT && type != GL_UNSIGNED_INT)
 			continue;
 		glReadBuffer(i);
 		GLint rows = strip_rows(viewport[2]);
 		for (GLint y = 0; y < viewport[3]; y += rows)
 			check_strip(probe, y, viewport[2],
-				rows < viewport[3] - y ? rows : viewport[3] - y, i, pass);
+				rows < viewport[3] - y ? rows : viewport[3] - y, i,
+				type == GL_UNSIGNED_INT, pass);
 	}
 	if (read_buffer != (GLint)GL_NONE)
 		glReadBuffer((GLenum)read_buffer);
 	GLenum code = glGetError();
 	if (code != GL_NO_ERROR)
-		stress_fault_set(probe->fault, STRESS_FAULT_REFUSED,
-			"after pass \"%s\": GL error 0x%04x", pass, code);
+		stress_fault_set(fault, STRESS_FAULT_DRAWING, "after pass \"%s\": GL error 0x%04x",
+			pass, code);
+	return fault->text[0] == '\0';
+}
+
+static void check_pass(void *data, const char *pass)
+{
+	struct stress_probe *probe = data;
+	stress_probe_check_targets(probe, pass, probe->fault);
 }
 
 static void ignore_pass(void *data, const char *pass)
@@ -192,6 +216,7 @@ bool stress_probe_init(struct stress_probe *probe, sm_get_proc get_proc, struct 
 	const struct sm_pass_observer observer = {
 		.data = probe, .begin = ignore_pass, .end = check_pass};
 	sm_renderer_set_pass_observer(probe->renderer, &observer);
+	glGetIntegerv(GL_MAX_TEXTURE_SIZE, (GLint *)&probe->max_texture_size);
 	probe->visibility.format = probe->floats ? GL_RGBA32F : GL_RGBA8;
 	probe->picture.format = GL_RGBA8;
 	return true;
@@ -255,8 +280,10 @@ static bool draw(struct stress_probe *probe, const struct stress_subject *subjec
 	};
 	if (!sm_renderer_set_shadows(probe->renderer, &subject->shadow, &error) ||
 		!sm_renderer_draw(probe->renderer, subject->scene, &view, &error))
-		return stress_fault_set(
-			fault, STRESS_FAULT_REFUSED, "drawing fails: %s", error.text);
+		return stress_fault_set(fault,
+			error.status == SM_ERROR_INPUT ? STRESS_FAULT_INVALID
+						       : STRESS_FAULT_DRAWING,
+			"drawing fails: %s", error.text);
 	if (edits_missing)
 		return stress_fault_set(fault, STRESS_FAULT_OTHER,
 			"surface.frag has changed: stress_probe.c must follow it");

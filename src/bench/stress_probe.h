@@ -22,7 +22,8 @@ void stress_picture_finish(struct stress_picture *picture);
 
 /** The rules. */
 enum stress_fault_kind {
-	STRESS_FAULT_REFUSED,    /* the scene, or drawing it */
+	STRESS_FAULT_INVALID,    /* the scene, camera or options: no picture of them can be had */
+	STRESS_FAULT_DRAWING,    /* it fails, or GL has an error */
 	STRESS_FAULT_FLOAT,      /* a pass writes what is not finite */
 	STRESS_FAULT_PIXEL,      /* visibility not in [0, 1], or no pixel of a picture */
 	STRESS_FAULT_SILHOUETTE, /* that is not closed */
@@ -49,7 +50,8 @@ struct stress_probe {
 	struct sm_renderer *renderer;
 	bool floats; /* the driver draws to floats: otherwise visibility is seen clamped alone */
 	struct stress_framebuffer visibility, picture;
-	float *values; /* working memory */
+	uint32_t max_texture_size; /* texels a side */
+	float *values;             /* working memory */
 	size_t value_capacity;
 	struct stress_fault *fault; /* of the draw that is going on; not owned */
 };
@@ -68,6 +70,13 @@ bool stress_probe_visibility(struct stress_probe *probe, const struct stress_sub
 	uint32_t light, struct stress_picture *picture, struct stress_fault *fault);
 bool stress_probe_picture(struct stress_probe *probe, const struct stress_subject *subject,
 	struct stress_fault *fault);
+
+/** Reads what the framebuffer that is bound holds within the viewport, as is done when a pass ends:
+ *  its floats, and those whose bits are in targets of unsigned integers (two halves in red, a float
+ *  in each other channel, as two-sided smoothies have them). False: one of them is not finite, or
+ *  GL has an error. */
+bool stress_probe_check_targets(
+	struct stress_probe *probe, const char *pass, struct stress_fault *fault);
 
 /** Says so in *fault, unless it says something already, and returns false. */
 bool stress_fault_set(struct stress_fault *fault, enum stress_fault_kind kind, const char *format,

@@ -70,13 +70,21 @@ static void report(const struct course *course, double value, const struct stres
 	course->listener->fault(course->listener->data, place, scene, fault);
 }
 
+/* As it is on this driver. */
+static double possible(const struct course *course, double value)
+{
+	return course->sweep->of_map ? fmin(value, course->probe->max_texture_size) : value;
+}
+
 /* Holds a picture against the sweep's bound, and keeps the worst. */
 static bool judge(const struct course *course, double value, const struct stress_picture *seen,
 	struct stress_fault *fault)
 {
 	const struct stress_sweep *sweep = course->sweep;
 	struct stress_outcome *outcome = course->outcome;
-	if (seen->values == NULL || value < sweep->from || value > sweep->to)
+	bool is_bound =
+		sweep->unbound == NULL || strcmp(sweep->unbound, course->way.technique) != 0;
+	if (seen->values == NULL || !is_bound || value < sweep->from || value > sweep->to)
 		return true;
 	double error = error_of(course, seen), bound = sweep->constant + sweep->slope * value;
 	if (outcome->bound == 0 || error * outcome->bound > outcome->error * bound) {
@@ -112,11 +120,12 @@ static bool draw_base(struct course *course, struct sm_error *error)
 	struct stress_fault fault;
 	if (course->sweep->truth != STRESS_BASE)
 		return true;
-	if (!make_scene(course, course->sweep->base, &scene, error))
+	double base = possible(course, course->sweep->base);
+	if (!make_scene(course, base, &scene, error))
 		return false;
 	course->outcome->checks++;
 	if (!stress_check_scene(course->probe, &scene, &course->base, &fault))
-		report(course, course->sweep->base, &scene, &fault);
+		report(course, base, &scene, &fault);
 	stress_scene_finish(&scene);
 	return true;
 }
@@ -147,7 +156,8 @@ static bool is_affordable(const struct course *course)
 {
 	struct stress_scene scene;
 	struct sm_memory memory;
-	if (!make_scene(course, course->sweep->base, &scene, NULL))
+	double base = possible(course, course->sweep->base);
+	if (!make_scene(course, base, &scene, NULL))
 		return false;
 	struct stress_fault fault;
 	struct sm_scene *built = stress_scene_build(&scene, NULL);
@@ -156,7 +166,7 @@ static bool is_affordable(const struct course *course)
 		sm_renderer_get_memory(course->probe->renderer, built, &memory);
 	sm_scene_destroy(built);
 	stress_scene_finish(&scene);
-	double growth = course->sweep->values[0] / course->sweep->base;
+	double growth = possible(course, course->sweep->values[0]) / base; /* > 0 */
 	return drawn && 2 * (double)memory.targets * growth * growth < free_bytes() / 2;
 }
 
@@ -173,7 +183,7 @@ static bool run_course(struct course *course, size_t count, struct sm_error *err
 	}
 	bool ok = draw_base(course, error);
 	for (size_t i = 0; i < count && ok; i++)
-		ok = run_value(course, course->sweep->values[i], error);
+		ok = run_value(course, possible(course, course->sweep->values[i]), error);
 	stress_picture_finish(&course->base);
 	return ok;
 }

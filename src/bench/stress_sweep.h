@@ -24,9 +24,11 @@ struct stress_sweep {
 	/* The error's bound is constant + slope * value, for values in [from, to]; pictures need
 	 * only be valid beside. */
 	double constant, slope, from, to;
-	bool spot_only;   /* a directional light has no such quantity */
-	bool is_large;    /* once for each technique, and only where there is the memory */
-	bool is_optional; /* for techniques that take the options it sets */
+	const char *unbound; /* a technique that the bound is not for; may be NULL */
+	bool spot_only;      /* a directional light has no such quantity */
+	bool is_large;       /* once for each technique, and only where there is the memory */
+	bool of_map;         /* values are texels a side: no more of them than the driver can */
+	bool is_optional;    /* for techniques that take the options it sets */
 };
 
 /** NULL past the last one. */

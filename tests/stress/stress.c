@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Numerical stress, as much of it as fits a test; "smoothie bench --stress" runs all. */
 #include "bench/stress.h"
+#include "bench/stress_base.h"
 #include "bench/stress_file.h"
 #include "bench/stress_shape.h"
 #include "bench/stress_shrink.h"
 #include "platform.h"
+#include <GLES3/gl3.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -53,6 +55,78 @@ static void sweep_keeps_its_bounds(void **state)
 		fail_msg("%s", error.text);
 	assert_int_equal(outcome.failures, 0);
 	assert_true(outcome.checks > 0 || sweep->quick == 0);
+}
+
+/* As the driver's limit, texels a side. */
+static void maps_are_no_larger_than_the_driver_has(void **state)
+{
+	const struct stress_listener listener = {NULL, print_fault};
+	struct stress_outcome outcome = {0};
+	const struct stress_sweep *sweep = stress_sweep_at(0);
+	struct sm_error error;
+	uint32_t limit = probe.max_texture_size;
+	(void)state;
+	for (size_t i = 0; strcmp(sweep->name, "largest map") != 0; i++)
+		sweep = stress_sweep_at(i);
+	assert_true(limit >= 2048); /* of OpenGL ES 3.0 */
+	probe.max_texture_size = 40;
+	bool run =
+		stress_sweep_run(sweep, &probe, "hard", STRESS_FULL, &listener, &outcome, &error);
+	probe.max_texture_size = limit;
+	assert_true(run);
+	assert_int_equal(outcome.failures, 0);
+	assert_true(outcome.value == 40);
+}
+
+static void bits_of_floats_are_read_as_floats_are(void **state)
+{
+	static const struct {
+		GLuint bits[4];
+		bool finite;
+	} cases[] = {
+		{{0, 0x3f800000, 0, 0}, true},
+		{{0x7bfffbff, 0xff7fffff, 0x00000001, 0}, true}, /* the largest, and the least */
+		{{0x00007c00, 0, 0, 0}, false},
+		{{0xfe000000, 0, 0, 0}, false},
+		{{0, 0x7f800000, 0, 0}, false},
+		{{0, 0, 0xffc00000, 0}, false},
+	};
+	GLuint framebuffer, texture;
+	(void)state;
+	glGenFramebuffers(1, &framebuffer);
+	glGenTextures(1, &texture);
+	glBindTexture(GL_TEXTURE_2D, texture);
+	glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32UI, 4, 4);
+	glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+	glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+	glViewport(0, 0, 4, 4);
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct stress_fault fault = {0};
+		glClearBufferuiv(GL_COLOR, 0, cases[i].bits);
+		bool finite = stress_probe_check_targets(&probe, "a test", &fault);
+		assert_int_equal(finite, cases[i].finite);
+		assert_true(finite || fault.kind == STRESS_FAULT_FLOAT);
+	}
+	glDeleteFramebuffers(1, &framebuffer);
+	glDeleteTextures(1, &texture);
+}
+
+/* And no fault of drawing, so that shrinking does not turn the one into the other. */
+static void what_cannot_be_drawn_is_told_as_such(void **state)
+{
+	struct stress_scene scene;
+	struct stress_fault fault;
+	(void)state;
+	assert_true(stress_base_init(&scene, SM_LIGHT_SPOT, NULL));
+	scene.lights[0].radius = -1;
+	assert_false(stress_check_scene(&probe, &scene, NULL, &fault));
+	assert_int_equal(fault.kind, STRESS_FAULT_INVALID);
+	scene.lights[0].radius = 1;
+	assert_true(stress_check_scene(&probe, &scene, NULL, &fault));
+	scene.camera.fov = 0;
+	assert_false(stress_check_scene(&probe, &scene, NULL, &fault));
+	assert_int_equal(fault.kind, STRESS_FAULT_INVALID);
+	stress_scene_finish(&scene);
 }
 
 #define SEED 20031
@@ -178,7 +252,7 @@ static void a_written_scene_looks_the_same(void **state)
 }
 
 #define SWEEPS_MAX 64
-#define OTHERS 4
+#define OTHERS 7
 
 int main(void)
 {
@@ -187,6 +261,9 @@ int main(void)
 		cmocka_unit_test(a_seed_and_a_number_name_a_scene),
 		cmocka_unit_test(what_breaks_a_rule_is_shrunk),
 		cmocka_unit_test(a_written_scene_looks_the_same),
+		cmocka_unit_test(maps_are_no_larger_than_the_driver_has),
+		cmocka_unit_test(bits_of_floats_are_read_as_floats_are),
+		cmocka_unit_test(what_cannot_be_drawn_is_told_as_such),
 	};
 	size_t count = OTHERS;
 	const struct stress_sweep *sweep;
