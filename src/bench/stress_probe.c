@@ -263,6 +263,14 @@ static bool framebuffer_resize(struct stress_framebuffer *target, uint32_t width
 	return true;
 }
 
+static enum stress_fault_kind kind_of(const struct sm_error *error)
+{
+	if (error->status == SM_ERROR_INPUT)
+		return STRESS_FAULT_INVALID;
+	bool memory = strstr(error->text, "GL_OUT_OF_MEMORY") != NULL;
+	return memory ? STRESS_FAULT_MEMORY : STRESS_FAULT_DRAWING;
+}
+
 static bool draw(struct stress_probe *probe, const struct stress_subject *subject,
 	struct stress_framebuffer *target, uint32_t visibility_of, struct stress_fault *fault)
 {
@@ -280,10 +288,7 @@ static bool draw(struct stress_probe *probe, const struct stress_subject *subjec
 	};
 	if (!sm_renderer_set_shadows(probe->renderer, &subject->shadow, &error) ||
 		!sm_renderer_draw(probe->renderer, subject->scene, &view, &error))
-		return stress_fault_set(fault,
-			error.status == SM_ERROR_INPUT ? STRESS_FAULT_INVALID
-						       : STRESS_FAULT_DRAWING,
-			"drawing fails: %s", error.text);
+		return stress_fault_set(fault, kind_of(&error), "drawing fails: %s", error.text);
 	if (edits_missing)
 		return stress_fault_set(fault, STRESS_FAULT_OTHER,
 			"surface.frag has changed: stress_probe.c must follow it");

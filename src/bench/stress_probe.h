@@ -24,6 +24,7 @@ void stress_picture_finish(struct stress_picture *picture);
 enum stress_fault_kind {
 	STRESS_FAULT_INVALID,    /* the scene, camera or options: no picture of them can be had */
 	STRESS_FAULT_DRAWING,    /* it fails, or GL has an error */
+	STRESS_FAULT_MEMORY,     /* the driver has none for the textures */
 	STRESS_FAULT_FLOAT,      /* a pass writes what is not finite */
 	STRESS_FAULT_PIXEL,      /* visibility not in [0, 1], or no pixel of a picture */
 	STRESS_FAULT_SILHOUETTE, /* that is not closed */
