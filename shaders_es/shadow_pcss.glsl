@@ -44,9 +44,10 @@ float shadow_visibility(vec3 p)
 		blockers += blocks;
 		sum += blocks * b;
 	}
+	// No wider than was searched: a blocker at the near plane would spread taps beside the screen.
 	mat2 penumbra = axes * min(disc_scale * max(s.z - sum / max(blockers, 1.0), 0.0), 0.5);
 	float lit = 0.0;
-	// As wide as the region at most. Without a blocker all is lit: the paper's early out, as a loop that drivers can leave.
+	// Without a blocker all is lit: the paper's early out, as a loop that drivers can leave.
 	int taps = blockers > 0.0 ? disc_count : 0;
 	for (int i = 0; i < taps; i++) {
 		vec2 tap = penumbra * disc_points[i];
