@@ -162,8 +162,11 @@ static void spot_frame(struct light_frame *frame, const struct sm_light_desc *li
 	struct depth_range all = depths_in_cone(light, scene, view, false);
 	/* A thousandth of the range more on either side, and what distances are rounded by. */
 	float slack = fmaxf(all.far - casters.near, 0.0f) * 1e-3f + all.far * 8.0f * FLT_EPSILON;
-	/* With nothing in the cone any range will do. */
 	float far_plane = all.far + slack;
+	/* With nothing in the cone any range will do that grows with the scene; where position and
+	 * target have met, any. */
+	if (!(far_plane > 0.0f && isfinite(far_plane)))
+		far_plane = glm_vec3_distance((float *)light->position, (float *)light->target);
 	if (!(far_plane > 0.0f && isfinite(far_plane)))
 		far_plane = 1.0f;
 	float near_plane = casters.near - fminf(slack, casters.near * 1e-3f);

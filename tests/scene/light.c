@@ -176,6 +176,21 @@ static double distance_at(const struct light_frame *frame, int step)
 	return frame->near + t * t * ((double)frame->far - frame->near);
 }
 
+/* So that a scene four times as large looks the same to the last bit. */
+static void the_range_of_an_empty_cone_grows_with_the_scene(void **state)
+{
+	(void)state;
+	struct sm_scene *scene = sm_scene_create();
+	struct sm_light_desc light = light_at(SM_LIGHT_SPOT, 0.0f, 3.0f, 0.0f);
+	struct light_frame once, fourfold;
+	light_frame_init(&once, &light, scene);
+	light.position[1] *= 4.0f;
+	light_frame_init(&fourfold, &light, scene);
+	assert_true(once.far > once.near && once.near > 0.0f);
+	assert_true(fourfold.near == 4.0f * once.near && fourfold.far == 4.0f * once.far);
+	sm_scene_destroy(scene);
+}
+
 static void assert_formulas(const struct light_frame *frame)
 {
 	double k = frame->near_to_far, range = (double)frame->far - frame->near;
@@ -296,6 +311,7 @@ int main(void)
 		cmocka_unit_test(the_depth_range_holds_casters_and_receivers),
 		cmocka_unit_test(the_near_plane_is_tight_but_not_too_near),
 		cmocka_unit_test(scenes_without_casters_or_objects_have_a_range_too),
+		cmocka_unit_test(the_range_of_an_empty_cone_grows_with_the_scene),
 		cmocka_unit_test(window_depth_gives_linear_depth_and_the_share_of_the_penumbra),
 		cmocka_unit_test(the_origin_is_a_position_or_a_direction),
 		cmocka_unit_test(a_wide_floor_leaves_a_directional_light_its_screen),
