@@ -275,7 +275,8 @@ static struct fin_end end_of(
 	return (struct fin_end){
 		.position = {(float)x, (float)y, (float)z},
 		.width = (float)width,
-		.drawn = (float)(width * drawn_share(params, z)) + params->apron,
+		.drawn = (float)clamp(
+			width * drawn_share(params, z) + params->apron, 0.0, NDC_LIMIT),
 	};
 }
 

@@ -155,6 +155,12 @@ static struct depth_range depths_in_cone(const struct sm_light_desc *light,
 	return range;
 }
 
+/* Whether a far plane is at a distance that it and the nearest of near planes can be divided by. */
+static bool is_range(float far_plane)
+{
+	return far_plane > FLT_MIN / NEAR_TO_FAR_MIN && isfinite(far_plane);
+}
+
 static void spot_frame(struct light_frame *frame, const struct sm_light_desc *light,
 	const struct sm_scene *scene, mat4 view)
 {
@@ -165,9 +171,9 @@ static void spot_frame(struct light_frame *frame, const struct sm_light_desc *li
 	float far_plane = all.far + slack;
 	/* With nothing in the cone any range will do that grows with the scene; where position and
 	 * target have met, any. */
-	if (!(far_plane > 0.0f && isfinite(far_plane)))
+	if (!is_range(far_plane))
 		far_plane = glm_vec3_distance((float *)light->position, (float *)light->target);
-	if (!(far_plane > 0.0f && isfinite(far_plane)))
+	if (!is_range(far_plane))
 		far_plane = 1.0f;
 	float near_plane = casters.near - fminf(slack, casters.near * 1e-3f);
 	near_plane = fmaxf(near_plane, far_plane * NEAR_TO_FAR_MIN);
@@ -202,6 +208,14 @@ static float farthest_on_screen(
 	return range.far;
 }
 
+/* Of what is at a coordinate: 1 where the size is nothing, an eighth of the coordinate's float step
+ * at least, or has no inverse. */
+static float size_or_one(float size, float coordinate)
+{
+	float nothing = fmaxf(fabsf(coordinate) * (FLT_EPSILON / 8.0f), FLT_MIN);
+	return size > nothing && isfinite(size) ? size : 1.0f;
+}
+
 /* A screen that holds the casters and their penumbras, on what is behind them. The wider it is, the
  * farther may a receiver go on it: after so many steps what is added to the width is small, but on
  * receivers that the light hardly grazes. A wide floor takes no more of it than its part there. */
@@ -218,8 +232,7 @@ static void fit_directional_screen(
 		float far = farthest_on_screen(screen, scene, view, -casters[0][2]);
 		screen->extent = half * 1.01f + disc * (far + casters[1][2]);
 	}
-	if (!(screen->extent > 0.0f && isfinite(screen->extent)))
-		screen->extent = 1.0f;
+	screen->extent = size_or_one(screen->extent, fmaxf(fabsf(center[0]), fabsf(center[1])));
 }
 
 static void directional_frame(struct light_frame *frame, const struct sm_light_desc *light,
@@ -237,9 +250,7 @@ static void directional_frame(struct light_frame *frame, const struct sm_light_d
 	struct screen screen;
 	fit_directional_screen(&screen, scene, view, casters, frame->disc);
 	float far = farthest_on_screen(&screen, scene, view, -casters[0][2]);
-	float depth = far + casters[1][2];
-	if (!(depth > 0.0f && isfinite(depth)))
-		depth = 1.0f;
+	float depth = size_or_one(far + casters[1][2], casters[1][2]);
 	frame->parallel = true;
 	frame->half_extent = screen.extent;
 	/* From the near plane on: counted from a light that may be far away, depths would lose the
