@@ -25,12 +25,10 @@ static struct parts parts_of(uint16_t a)
 	return (struct parts){digits | HIDDEN, LEAST_EXPONENT - 1 + biased};
 }
 
+/* n > 0. */
 static int highest_bit(uint32_t n)
 {
-	int place = 0;
-	while (n >>= 1)
-		place++;
-	return place;
+	return 31 - __builtin_clz(n);
 }
 
 /* n 2^-shift, to nearest, ties to even; n < 2^31, shift >= 0. */
