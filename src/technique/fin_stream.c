@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/fin_stream.h"
-#include "base/array.h"
 #include "technique/disc.h"
-#include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu)
 {
 	struct gl *gl = &gpu->gl;
-	fin_scratch_init(&stream->scratch);
 	stream->array = gl_create_vertex_array(gl);
 	stream->buffer = gl_create_buffer(gl);
 	gl->BindVertexArray(stream->array);
@@ -35,68 +31,7 @@ void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu)
 {
 	gl_delete_vertex_array(&gpu->gl, &stream->array);
 	gl_delete_buffer(&gpu->gl, &stream->buffer);
-	fin_scratch_finish(&stream->scratch);
-	free(stream->facing);
-	free(stream->edges);
-	free(stream->vertices);
-}
-
-static struct fin_params fin_params_of(const struct light_frame *frame, const struct object *object,
-	const struct fin_shape *shape, GLsizei map_size)
-{
-	float texel = 2.0f / (float)map_size;
-	struct fin_params params = {
-		.pole = frame->pole,
-		.finest = shape->both_sides ? 0.0f : 0.5f * texel,
-		.apron = shape->apron * texel,
-		.both_sides = shape->both_sides,
-		.mirrored = glm_mat4_det((vec4 *)object->transform) < 0.0f,
-	};
-	mat4 to_clip;
-	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
-	memcpy(params.object_to_clip, to_clip, sizeof(params.object_to_clip));
-	if (shape->width > 0.0f) {
-		params.width = FIN_WIDTH_CONSTANT;
-		params.scale = 2.0f * shape->width; /* the screen is two units of NDC wide */
-		return params;
-	}
-	params.width = frame->parallel ? FIN_WIDTH_PARALLEL : FIN_WIDTH_PERSPECTIVE;
-	params.scale = shape->share * frame->disc / frame->half_extent;
-	if (frame->parallel)
-		params.scale *= frame->far - frame->near;
-	return params;
-}
-
-/* Fills stream->edges; returns false when out of memory. */
-static bool find_silhouettes(
-	struct fin_stream *stream, const struct caster *caster, const float light[4], size_t *count)
-{
-	if (!array_reserve((void **)&stream->facing, &stream->facing_capacity, facing_words(caster),
-		    sizeof(*stream->facing)))
-		return false;
-	facing_find(caster, light, stream->facing);
-	*count = silhouette_find(caster, stream->facing, stream->edges, stream->edge_capacity);
-	if (*count <= stream->edge_capacity)
-		return true;
-	if (!array_reserve((void **)&stream->edges, &stream->edge_capacity, *count,
-		    sizeof(*stream->edges)))
-		return false;
-	silhouette_find(caster, stream->facing, stream->edges, stream->edge_capacity);
-	return true;
-}
-
-static bool append_fins(struct fin_stream *stream, const struct caster *caster, size_t edge_count,
-	const struct fin_params *params)
-{
-	size_t most = stream->vertex_count + fins_max_vertices(edge_count, params->both_sides);
-	if (!fin_scratch_reserve(&stream->scratch, caster, edge_count) ||
-		!array_reserve((void **)&stream->vertices, &stream->vertex_capacity, most,
-			sizeof(*stream->vertices)))
-		return false;
-	stream->vertex_count += fins_build(caster, stream->edges, edge_count, params,
-		&stream->scratch, stream->vertices + stream->vertex_count,
-		stream->vertex_capacity - stream->vertex_count);
-	return true;
+	fin_set_finish(&stream->set);
 }
 
 static double processor_ms(void)
@@ -106,50 +41,29 @@ static double processor_ms(void)
 	return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
 }
 
-static bool build(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct fin_shape *shape, GLsizei map_size)
-{
-	for (size_t i = 0; i < scene->object_count; i++) {
-		const struct object *object = &scene->objects[i];
-		if (!object->casts)
-			continue;
-		const struct caster *caster = &scene->meshes[object->mesh].caster;
-		mat4 to_object;
-		vec4 light;
-		size_t edge_count;
-		glm_mat4_inv((vec4 *)object->transform, to_object);
-		glm_mat4_mulv(to_object, (float *)frame->origin, light);
-		struct fin_params params = fin_params_of(frame, object, shape, map_size);
-		if (!find_silhouettes(stream, caster, light, &edge_count) ||
-			!append_fins(stream, caster, edge_count, &params))
-			return false;
-		gpu->stats.silhouette_edges += edge_count;
-	}
-	return true;
-}
-
 static void mark_fins(struct fin_stream *stream, GLsizei map_size)
 {
 	static const uint8_t edges[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
 	/* A surface looks up texels whose centres lie up to one texel off; half a texel more for
 	 * what the rasteriser snaps. */
 	float slack = 1.5f * SCREEN_GRID_SIZE / (float)map_size;
-	for (size_t quad = 0; quad < stream->vertex_count; quad += 4) {
+	for (size_t quad = 0; quad < stream->set.vertex_count; quad += 4) {
 		struct screen_point corners[4];
 		for (int i = 0; i < 4; i++)
 			corners[i] = (struct screen_point){
-				stream->vertices[quad + (size_t)i].position[0],
-				stream->vertices[quad + (size_t)i].position[1]};
+				stream->set.vertices[quad + (size_t)i].position[0],
+				stream->set.vertices[quad + (size_t)i].position[1]};
 		screen_grid_add(&stream->grid, corners, edges, 4, slack);
 	}
 }
 
 static void upload(struct fin_stream *stream, struct gpu *gpu)
 {
-	size_t bytes = stream->vertex_count * sizeof(*stream->vertices);
+	size_t bytes = stream->set.vertex_count * sizeof(*stream->set.vertices);
 	gpu->gl.BindBuffer(GL_ARRAY_BUFFER, stream->buffer);
-	gpu->gl.BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, stream->vertices, GL_STREAM_DRAW);
-	gpu->stats.fin_vertices += stream->vertex_count;
+	gpu->gl.BufferData(
+		GL_ARRAY_BUFFER, (GLsizeiptr)bytes, stream->set.vertices, GL_STREAM_DRAW);
+	gpu->stats.fin_vertices += stream->set.vertex_count;
 	gpu->stats.uploaded_bytes += bytes;
 }
 
@@ -157,16 +71,16 @@ bool fin_stream_update(struct fin_stream *stream, struct gpu *gpu, const struct 
 	const struct light_frame *frame, const struct fin_shape *shape, GLsizei map_size,
 	struct sm_error *error)
 {
-	stream->vertex_count = 0;
+	stream->set.vertex_count = 0;
 	screen_grid_clear(&stream->grid);
-	/* A point light has no penumbra. */
-	if (shape->width == 0.0f && frame->disc == 0.0f)
+	if (!fin_shape_has_width(shape, frame))
 		return true;
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
-	bool built = build(stream, gpu, scene, frame, shape, map_size);
+	bool built = fin_set_find(&stream->set, scene, frame, shape, (uint32_t)map_size);
 	if (built) {
 		mark_fins(stream, map_size);
+		gpu->stats.silhouette_edges += stream->set.edge_count;
 		gpu->stats.silhouette_ms += processor_ms() - start;
 		upload(stream, gpu);
 	}
@@ -191,18 +105,10 @@ float fin_stream_spread(const struct light_frame *frame, GLsizei map_size)
 	return (float)map_size * disc_scale(frame);
 }
 
-size_t fin_stream_bytes(const struct fin_stream *stream)
-{
-	return stream->facing_capacity * sizeof(*stream->facing) +
-	       stream->edge_capacity * sizeof(*stream->edges) +
-	       stream->vertex_capacity * sizeof(*stream->vertices) +
-	       fin_scratch_bytes(&stream->scratch);
-}
-
 bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, struct sm_error *error)
 {
-	if (stream->vertex_count == 0)
+	if (stream->set.vertex_count == 0)
 		return true;
 	gpu->gl.BindVertexArray(stream->array);
-	return gpu_draw_quads(gpu, stream->vertex_count / 4, error);
+	return gpu_draw_quads(gpu, stream->set.vertex_count / 4, error);
 }

@@ -2,37 +2,21 @@
 #ifndef TECHNIQUE_FIN_STREAM_H
 #define TECHNIQUE_FIN_STREAM_H
 
-#include "geom/fins.h"
 #include "geom/screen_grid.h"
 #include "gles/target.h"
+#include "scene/fin_set.h"
 #include "technique/technique.h"
 
 /** The fins of one light: found on the processor each frame, and drawn from one buffer. */
 struct fin_stream {
 	GLuint array, buffer;
-	uint64_t *facing;
-	struct silhouette_edge *edges;
-	struct fin_vertex *vertices;
-	struct fin_scratch scratch;
-	size_t facing_capacity, edge_capacity, vertex_capacity;
-	size_t vertex_count;
+	struct fin_set set;
 	struct screen_grid grid; /* where surfaces that look them up may be */
-};
-
-/** What fins of a technique look like. */
-struct fin_shape {
-	float width;     /* share of the light's screen; 0: from the light's radius */
-	float share;     /* then: of the half-width of the penumbra */
-	float apron;     /* texels: drawn this much wider */
-	bool both_sides; /* inside of the silhouette as well, and however narrow */
 };
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu);
 /** Fine on a zeroed one. */
 void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu);
-
-/** Of the processor's memory. */
-size_t fin_stream_bytes(const struct fin_stream *stream);
 
 /** Finds the silhouettes of all casters, builds their fins and uploads them. map_size: texels a
  *  side that they are drawn over. */

@@ -3,11 +3,6 @@
 
 #define FALLOFF_SIZE 256
 
-/* Width of a fin as a share of the half-width of the penumbra it stands for, R (r - b) / (b r) on
- * the light's screen. A fin only has the outer half, running from dark at the silhouette, where
- * half the light is seen: as wide as the true penumbra it would darken too much. */
-#define WIDTH_SHARE 0.4f
-
 static void make_falloff(struct smoothie *smoothie, struct gl *gl)
 {
 	uint8_t table[FALLOFF_SIZE];
@@ -114,7 +109,7 @@ bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene
 		!fin_stream_update(
 			&smoothie->fins, gpu, scene, frame, &smoothie->shape, size, error))
 		return false;
-	if (smoothie->fins.vertex_count > 0 &&
+	if (smoothie->fins.set.vertex_count > 0 &&
 		depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
 		flags |= FLAG_RECEIVER_MAP;
 		if (!depth_map_draw_receivers(&smoothie->receivers, gpu, scene, frame, size,
@@ -147,7 +142,7 @@ const struct screen_grid *smoothie_soft_grid(const void *state)
 size_t smoothie_geometry_bytes(const void *state)
 {
 	const struct smoothie *smoothie = state;
-	return fin_stream_bytes(&smoothie->fins);
+	return fin_set_bytes(&smoothie->fins.set);
 }
 
 void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -164,7 +159,7 @@ void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame 
 static bool init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
 	struct sm_error *error)
 {
-	const struct fin_shape shape = {.width = options->width, .share = WIDTH_SHARE};
+	const struct fin_shape shape = {.width = options->width, .share = SMOOTHIE_WIDTH_SHARE};
 	return smoothie_init(state, gpu, options, &shape, 0, error);
 }
 

@@ -86,7 +86,7 @@ static bool two_sided_prepare(void *state, struct gpu *gpu, const struct sm_scen
 	if (!depth_map_draw(&two_sided->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
 		!fin_stream_update(&two_sided->fins, gpu, scene, frame, &fin_shape, size, error))
 		return false;
-	if (two_sided->fins.vertex_count > 0 &&
+	if (two_sided->fins.set.vertex_count > 0 &&
 		depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
 		flags = FLAG_RECEIVER_MAP;
 		if (!depth_map_draw_receivers(&two_sided->receivers, gpu, scene, frame, size,
@@ -117,7 +117,7 @@ static const struct screen_grid *two_sided_soft_grid(const void *state)
 static size_t two_sided_geometry_bytes(const void *state)
 {
 	const struct two_sided *two_sided = state;
-	return fin_stream_bytes(&two_sided->fins);
+	return fin_set_bytes(&two_sided->fins.set);
 }
 
 static void two_sided_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/fin_set.h"
+#include "base/array.h"
+#include <stdlib.h>
+#include <string.h>
+
+bool fin_shape_has_width(const struct fin_shape *shape, const struct light_frame *frame)
+{
+	return shape->width != 0.0f || frame->disc != 0.0f;
+}
+
+static struct fin_params fin_params_of(const struct light_frame *frame, const struct object *object,
+	const struct fin_shape *shape, uint32_t map_size)
+{
+	float texel = 2.0f / (float)map_size;
+	struct fin_params params = {
+		.pole = frame->pole,
+		.finest = shape->both_sides ? 0.0f : 0.5f * texel,
+		.apron = shape->apron * texel,
+		.both_sides = shape->both_sides,
+		.mirrored = glm_mat4_det((vec4 *)object->transform) < 0.0f,
+	};
+	mat4 to_clip;
+	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
+	memcpy(params.object_to_clip, to_clip, sizeof(params.object_to_clip));
+	if (shape->width > 0.0f) {
+		params.width = FIN_WIDTH_CONSTANT;
+		params.scale = 2.0f * shape->width; /* the screen is two units of NDC wide */
+		return params;
+	}
+	params.width = frame->parallel ? FIN_WIDTH_PARALLEL : FIN_WIDTH_PERSPECTIVE;
+	params.scale = shape->share * frame->disc / frame->half_extent;
+	if (frame->parallel)
+		params.scale *= frame->far - frame->near;
+	return params;
+}
+
+/* Fills set->edges; returns false when out of memory. */
+static bool find_silhouettes(
+	struct fin_set *set, const struct caster *caster, const float light[4], size_t *count)
+{
+	if (!array_reserve((void **)&set->facing, &set->facing_capacity, facing_words(caster),
+		    sizeof(*set->facing)))
+		return false;
+	facing_find(caster, light, set->facing);
+	*count = silhouette_find(caster, set->facing, set->edges, set->edge_capacity);
+	if (*count <= set->edge_capacity)
+		return true;
+	if (!array_reserve((void **)&set->edges, &set->edge_capacity, *count, sizeof(*set->edges)))
+		return false;
+	silhouette_find(caster, set->facing, set->edges, set->edge_capacity);
+	return true;
+}
+
+static bool append_fins(struct fin_set *set, const struct caster *caster, size_t edge_count,
+	const struct fin_params *params)
+{
+	size_t most = set->vertex_count + fins_max_vertices(edge_count, params->both_sides);
+	if (!fin_scratch_reserve(&set->scratch, caster, edge_count) ||
+		!array_reserve((void **)&set->vertices, &set->vertex_capacity, most,
+			sizeof(*set->vertices)))
+		return false;
+	set->vertex_count += fins_build(caster, set->edges, edge_count, params, &set->scratch,
+		set->vertices + set->vertex_count, set->vertex_capacity - set->vertex_count);
+	return true;
+}
+
+void fin_set_finish(struct fin_set *set)
+{
+	fin_scratch_finish(&set->scratch);
+	free(set->facing);
+	free(set->edges);
+	free(set->vertices);
+	*set = (struct fin_set){0};
+}
+
+size_t fin_set_bytes(const struct fin_set *set)
+{
+	return set->facing_capacity * sizeof(*set->facing) +
+	       set->edge_capacity * sizeof(*set->edges) +
+	       set->vertex_capacity * sizeof(*set->vertices) + fin_scratch_bytes(&set->scratch);
+}
+
+bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size)
+{
+	set->vertex_count = 0;
+	set->edge_count = 0;
+	if (!fin_shape_has_width(shape, frame))
+		return true;
+	for (size_t i = 0; i < scene->object_count; i++) {
+		const struct object *object = &scene->objects[i];
+		if (!object->casts)
+			continue;
+		const struct caster *caster = &scene->meshes[object->mesh].caster;
+		mat4 to_object;
+		vec4 light;
+		size_t edge_count;
+		glm_mat4_inv((vec4 *)object->transform, to_object);
+		glm_mat4_mulv(to_object, (float *)frame->origin, light);
+		struct fin_params params = fin_params_of(frame, object, shape, map_size);
+		if (!find_silhouettes(set, caster, light, &edge_count) ||
+			!append_fins(set, caster, edge_count, &params))
+			return false;
+		set->edge_count += edge_count;
+	}
+	return true;
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SCENE_FIN_SET_H
+#define SCENE_FIN_SET_H
+
+#include "geom/fins.h"
+#include "scene/light.h"
+
+/** Width of a smoothie's fin as a share of the half-width of the penumbra it stands for,
+ *  R (r - b) / (b r) on the light's screen. A fin only has the outer half, running from dark at the
+ *  silhouette, where half the light is seen: as wide as the true penumbra it would darken too much.
+ */
+#define SMOOTHIE_WIDTH_SHARE 0.4f
+
+/** What fins of a technique look like. */
+struct fin_shape {
+	float width;     /* share of the light's screen; 0: from the light's radius */
+	float share;     /* then: of the half-width of the penumbra */
+	float apron;     /* texels: drawn this much wider */
+	bool both_sides; /* inside of the silhouette as well, and however narrow */
+};
+
+/** A point light has no penumbra, unless the shape gives it one. */
+bool fin_shape_has_width(const struct fin_shape *shape, const struct light_frame *frame);
+
+/** The fins of all casters, as one light sees them. Zero is empty; memory is kept from one search
+ * to the next. */
+struct fin_set {
+	struct fin_vertex *vertices; /* quads of four, in order around; owned */
+	size_t vertex_count;
+	size_t edge_count; /* of silhouettes that they are on */
+	/* Working memory; owned */
+	uint64_t *facing;
+	struct silhouette_edge *edges;
+	struct fin_scratch scratch;
+	size_t facing_capacity, edge_capacity, vertex_capacity;
+};
+
+void fin_set_finish(struct fin_set *set);
+
+/** Of memory. */
+size_t fin_set_bytes(const struct fin_set *set);
+
+/** Finds the silhouettes of all casters and builds their fins: none for a point light whose fins
+ * get their width from it. map_size: texels a side that they are drawn over. False: out of memory.
+ */
+bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size);
+
+#endif
