@@ -33,26 +33,12 @@ static void draw_elements(struct gpu *gpu, size_t first, size_t count, GLenum ty
 	gpu->stats.triangles += count / 3;
 }
 
-/* Whether the whole box is in front of the near plane, z >= -w; false for NaN. */
-static bool box_beyond_near(const float min[3], const float max[3], mat4 to_clip)
-{
-	for (int corner = 0; corner < 8; corner++) {
-		vec4 p = {1.0f, 1.0f, 1.0f, 1.0f};
-		for (int axis = 0; axis < 3; axis++)
-			p[axis] = corner >> axis & 1 ? max[axis] : min[axis];
-		glm_mat4_mulv(to_clip, p, p);
-		if (!(p[2] >= -p[3]))
-			return false;
-	}
-	return true;
-}
-
 void gpu_set_faces(
 	struct gpu *gpu, const struct mesh *mesh, mat4 transform, mat4 to_clip, bool single_sided)
 {
 	struct gl *gl = &gpu->gl;
 	gl->FrontFace(glm_mat4_det(transform) < 0.0f ? GL_CW : GL_CCW);
-	if (single_sided || (mesh->solid && box_beyond_near(mesh->min, mesh->max, to_clip)))
+	if (single_sided || mesh_hides_back(mesh, to_clip))
 		gl->Enable(GL_CULL_FACE);
 	else
 		gl->Disable(GL_CULL_FACE);

@@ -6,6 +6,10 @@
  * ranges cost the 24-bit depth map its precision at the far end (2^-24 / k of the range). */
 #define NEAR_TO_FAR_MIN (1.0f / 1000.0f)
 
+/* Steepest receiver, against the light's rays, that is biased by all of its slope: at 50 to 1 the
+ * light comes in at 1.1 degrees and adds 2 % of its strength. */
+#define SLOPE_MAX 50.0f
+
 static void light_view(const struct sm_light_desc *light, mat4 view)
 {
 	vec3 axis;
@@ -283,4 +287,13 @@ void light_frame_init(
 	/* Views look along -z; here z grows away from the light. */
 	for (int column = 0; column < 4; column++)
 		frame->world_to_light[column][2] *= -1.0f;
+}
+
+/* SLOPE_MAX times the width of a texel there. For a spot the width grows with the distance, and
+ * window depth flattens with its square. */
+void light_frame_bias_limit(const struct light_frame *frame, float size, float limit[2])
+{
+	float most = SLOPE_MAX * 2.0f * frame->half_extent / size;
+	limit[0] = frame->parallel ? most / (frame->far - frame->near) : most * frame->pole;
+	limit[1] = frame->parallel ? 0.0f : -most;
 }

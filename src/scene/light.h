@@ -35,4 +35,13 @@ struct light_frame {
 void light_frame_init(
 	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene);
 
+/** How far from a surface, in texels, the nearest texel of a map lies, and the four nearest: half a
+ *  texel and one; a twentieth more for vertices that the rasteriser snapped to its grid. */
+#define LOOKUP_REACH_NEAREST 0.55f
+#define LOOKUP_REACH_LINEAR 1.05f
+
+/** The most that a receiver may be biased by for each texel that it is looked up around, in a map of
+ *  `size` texels a side: limit[0] + limit[1] d at window depth d. */
+void light_frame_bias_limit(const struct light_frame *frame, float size, float limit[2]);
+
 #endif

@@ -247,6 +247,25 @@ void sm_scene_set_environment(struct sm_scene *scene, const struct sm_environmen
 	scene->environment = *environment;
 }
 
+/* Whether the whole box is in front of the near plane, z >= -w; false for NaN. */
+static bool box_beyond_near(const float min[3], const float max[3], mat4 to_clip)
+{
+	for (int corner = 0; corner < 8; corner++) {
+		vec4 p = {1.0f, 1.0f, 1.0f, 1.0f};
+		for (int axis = 0; axis < 3; axis++)
+			p[axis] = corner >> axis & 1 ? max[axis] : min[axis];
+		glm_mat4_mulv(to_clip, p, p);
+		if (!(p[2] >= -p[3]))
+			return false;
+	}
+	return true;
+}
+
+bool mesh_hides_back(const struct mesh *mesh, mat4 to_clip)
+{
+	return mesh->solid && box_beyond_near(mesh->min, mesh->max, to_clip);
+}
+
 uint32_t sm_scene_mesh_count(const struct sm_scene *scene)
 {
 	return (uint32_t)scene->mesh_count;

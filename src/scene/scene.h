@@ -39,4 +39,8 @@ struct sm_scene {
 /** Sets min and max from mesh and transform. */
 void object_update_bounds(const struct sm_scene *scene, struct object *object);
 
+/** Whether nothing that the mesh shows with its back is ever in front: it is solid, and all of its
+ *  box beyond the near plane. */
+bool mesh_hides_back(const struct mesh *mesh, mat4 to_clip);
+
 #endif

@@ -1,21 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/depth_map.h"
 
-/* Steepest receiver, against the light's rays, that is biased by all of its slope: at 50 to 1 the
- * light comes in at 1.1 degrees and adds 2 % of its strength. */
-#define SLOPE_MAX 50.0f
-
 /* No caster is before the near plane: there, from this share of its distance on, all is alike. */
 #define LEAST_W 1e-3f
 
-/* The nearest texel lies half a texel off, the four nearest up to one; a twentieth more for
- * vertices that the rasteriser snapped to its grid. */
 static const struct {
 	GLint filter;
 	float texels_around;
 } filters[] = {
-	[DEPTH_MAP_NEAREST] = {GL_NEAREST, 0.55f},
-	[DEPTH_MAP_LINEAR] = {GL_LINEAR, 1.05f},
+	[DEPTH_MAP_NEAREST] = {GL_NEAREST, LOOKUP_REACH_NEAREST},
+	[DEPTH_MAP_LINEAR] = {GL_LINEAR, LOOKUP_REACH_LINEAR},
 };
 
 GLuint depth_map_create_sampler(struct gl *gl, enum depth_map_filter filter)
@@ -148,27 +142,15 @@ static void set_screen(
 	}
 }
 
-/* The greatest bias at window depth d is x + y d: SLOPE_MAX times the width of a texel there. For
- * a spot the width grows with the distance, and window depth flattens with its square. */
-static void set_bias_limit(
-	struct gpu *gpu, float size, const struct light_frame *frame, const struct program *program)
-{
-	float limit = SLOPE_MAX * 2.0f * frame->half_extent / size;
-	if (frame->parallel)
-		gpu->gl.Uniform2f(
-			program->uniform.bias_limit, limit / (frame->far - frame->near), 0.0f);
-	else
-		gpu->gl.Uniform2f(program->uniform.bias_limit, limit * frame->pole, -limit);
-}
-
 void depth_map_set_receiver(struct gpu *gpu, GLsizei texels, enum depth_map_filter filter,
 	const struct light_frame *frame, const struct program *program)
 {
-	float size = (float)texels;
+	float size = (float)texels, limit[2];
 	gpu->gl.Uniform2f(program->uniform.map_size, size, 1.0f / size);
 	gpu->gl.Uniform1f(program->uniform.lookup_reach, filters[filter].texels_around / size);
 	set_screen(gpu, frame, program);
-	set_bias_limit(gpu, size, frame, program);
+	light_frame_bias_limit(frame, size, limit);
+	gpu->gl.Uniform2f(program->uniform.bias_limit, limit[0], limit[1]);
 }
 
 void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct light_frame *frame,
