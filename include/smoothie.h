@@ -203,6 +203,17 @@ enum sm_falloff {
 	SM_FALLOFF_SINUSOID,
 };
 
+/** In which arithmetic shadows are computed, pixel by pixel. */
+enum sm_precision {
+	SM_PRECISION_DEFAULT,
+	SM_PRECISION_FLOAT, /**< the GL's floats, rounded as the driver does it */
+	/** Integers alone, so that every driver draws the same bits: each step rounded to 16-bit
+	 *  floats (IEEE 754 binary16). */
+	SM_PRECISION_HALF,
+	/** Likewise, to 12-bit fixed point, s1.10: steps of 1/1024 in [-2, 2). */
+	SM_PRECISION_FIXED12,
+};
+
 /** How shadows are made. Zero in a field means the default. A field that the technique does not
  *  use must stay zero: setting it is an error. */
 struct sm_shadow_options {
@@ -218,6 +229,9 @@ struct sm_shadow_options {
 			       first of them */
 	uint32_t passes;  /**< smoothie: 2 fills the smoothie buffer in two passes, nearest
 			       depth and then minimum alpha, as the paper does; default 1 */
+	/** Default float. half and fixed12: smoothie alone, always in two passes; map and picture
+	 *  have at most 2047 texels a side. */
+	enum sm_precision precision;
 };
 
 SM_API bool sm_renderer_set_shadows(struct sm_renderer *renderer,
@@ -229,6 +243,8 @@ SM_API const char *sm_technique_summary(size_t index);
 /** What sm_shadow_options.samples may be with the technique, the default first; 0 past the last
  *  choice, or when index is past the last technique. */
 SM_API uint32_t sm_technique_samples(size_t index, size_t choice);
+/** "float", "half" and "fixed12" for 0 to 2, the enum less 1; NULL past the last. */
+SM_API const char *sm_precision_name(size_t index);
 
 struct sm_camera {
 	float eye[3];

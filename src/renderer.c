@@ -69,6 +69,12 @@ uint32_t sm_technique_samples(size_t index, size_t choice)
 	return technique != NULL && choice < SAMPLE_CHOICES_MAX ? technique->samples[choice] : 0;
 }
 
+const char *sm_precision_name(size_t index)
+{
+	static const char *const names[] = {"float", "half", "fixed12"};
+	return index < sizeof(names) / sizeof(names[0]) ? names[index] : NULL;
+}
+
 static bool check_drawn(struct gl *gl, bool drawn, struct sm_error *error)
 {
 	const char *problem = gl_take_error(gl);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "shadow_set.h"
 #include "base/array.h"
+#include "fixed/primitive.h"
 #include <stdlib.h>
 
 #define MAP_SIZE_DEFAULT 1024
@@ -18,6 +19,7 @@ static bool check_used(const struct sm_shadow_options *options, const struct tec
 		{"width", OPTION_WIDTH, options->width != 0.0f},
 		{"falloff", OPTION_FALLOFF, options->falloff != SM_FALLOFF_DEFAULT},
 		{"passes", OPTION_PASSES, options->passes != 0},
+		{"precision", OPTION_PRECISION, options->precision > SM_PRECISION_FLOAT},
 	};
 	for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); i++)
 		if (fields[i].set && !(technique->options & fields[i].option))
@@ -72,6 +74,25 @@ static bool check_range(
 	return true;
 }
 
+static bool check_precision(const struct sm_shadow_options *options, struct sm_error *error)
+{
+	if (options->precision <= SM_PRECISION_FLOAT)
+		return true;
+	const char *name = sm_precision_name((size_t)options->precision - 1);
+	if (name == NULL)
+		return error_set(error, SM_ERROR_INPUT, "a precision of number %d; the last is %d",
+			(int)options->precision, SM_PRECISION_FIXED12);
+	if (options->map_size > FIXED_SIZE_MAX)
+		return error_set(error, SM_ERROR_INPUT,
+			"a shadow map of %u texels a side; with the precision \"%s\" there are at "
+			"most %d",
+			options->map_size, name, FIXED_SIZE_MAX);
+	if (options->passes == 1)
+		return error_set(error, SM_ERROR_INPUT,
+			"1 smoothie pass; with the precision \"%s\" there are always 2", name);
+	return true;
+}
+
 static const struct technique *find_technique(const char *name, struct sm_error *error)
 {
 	const struct technique *technique = name != NULL ? technique_find(name) : technique_at(0);
@@ -93,15 +114,17 @@ bool shadow_set_init(struct shadow_set *set, const struct sm_shadow_options *opt
 	set->technique = find_technique(options->technique, error);
 	if (set->technique == NULL || !check_used(options, set->technique, error) ||
 		!check_samples(&set->options, set->technique, error) ||
-		!check_range(options, caps, error))
+		!check_range(options, caps, error) || !check_precision(options, error))
 		return false;
 	set->options.technique = NULL;
 	if (set->options.map_size == 0)
 		set->options.map_size = MAP_SIZE_DEFAULT;
 	if (set->options.falloff == SM_FALLOFF_DEFAULT)
 		set->options.falloff = SM_FALLOFF_LINEAR;
+	if (set->options.precision == SM_PRECISION_DEFAULT)
+		set->options.precision = SM_PRECISION_FLOAT;
 	if (set->options.passes == 0)
-		set->options.passes = 1;
+		set->options.passes = set->options.precision == SM_PRECISION_FLOAT ? 1 : 2;
 	return true;
 }
 

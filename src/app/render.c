@@ -78,6 +78,7 @@ static bool read_flag(
 			       value);
 	case FLAG_SAMPLES:
 	case FLAG_TECHNIQUE:
+	case FLAG_PRECISION:
 	case FLAG_MAP:
 	case FLAG_SET:
 		return scene_options_flag(&options->scene, &render_command, id, value, error);

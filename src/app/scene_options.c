@@ -17,6 +17,17 @@ void scene_options_finish(struct scene_options *options)
 	free(options->settings);
 }
 
+bool scene_options_precision(const char *name, enum sm_precision *precision)
+{
+	for (size_t i = 0; sm_precision_name(i) != NULL; i++) {
+		if (strcmp(sm_precision_name(i), name) == 0) {
+			*precision = (enum sm_precision)(i + 1);
+			return true;
+		}
+	}
+	return false;
+}
+
 bool scene_options_flag(struct scene_options *options, const struct command *command, int id,
 	const char *value, struct sm_error *error)
 {
@@ -32,6 +43,10 @@ bool scene_options_flag(struct scene_options *options, const struct command *com
 	case FLAG_TECHNIQUE:
 		options->technique = value;
 		break;
+	case FLAG_PRECISION:
+		return scene_options_precision(value, &options->precision) ||
+		       options_error(error, command,
+			       "--precision %.40s: float, half or fixed12 is wanted", value);
 	case FLAG_SET:
 		options->settings[options->setting_count++] = value;
 		break;
@@ -70,6 +85,8 @@ bool scene_options_load(
 		stage->output.samples = options->samples;
 	if (options->technique != NULL)
 		stage->shadow.technique = options->technique;
+	if (options->precision != SM_PRECISION_DEFAULT)
+		stage->shadow.precision = options->precision;
 	if (options->map_size > 0)
 		stage->shadow.map_size = options->map_size;
 	return true;

@@ -9,6 +9,8 @@
 #define SCENE_FLAGS                                                                       \
 	{FLAG_SAMPLES, "samples", "1|4", "samples a pixel against jagged edges"},         \
 		{FLAG_TECHNIQUE, "technique", "NAME", "how shadows are made"},            \
+		{FLAG_PRECISION, "precision", "NAME",                                     \
+			"arithmetic of shadows: float, half or fixed12"},                 \
 		{FLAG_MAP, "map", "N", "texels a side of the shadow map"},                \
 	{                                                                                 \
 		FLAG_SET, "set", "SECTION.KEY=VALUE", "change the scene; may be repeated" \
@@ -17,6 +19,7 @@
 enum {
 	FLAG_SAMPLES = FLAG_OWN,
 	FLAG_TECHNIQUE,
+	FLAG_PRECISION,
 	FLAG_MAP,
 	FLAG_SET,
 	FLAG_OWN_OF_SCENES, /**< these subcommands count on from here */
@@ -25,9 +28,10 @@ enum {
 /** What a command line says of the scene. */
 struct scene_options {
 	const char *scene;
-	uint32_t samples, map_size; /**< 0: not given */
-	const char *technique;      /**< NULL: not given */
-	const char **settings;      /**< owned array */
+	uint32_t samples, map_size;  /**< 0: not given */
+	const char *technique;       /**< NULL: not given */
+	enum sm_precision precision; /**< default: not given */
+	const char **settings;       /**< owned array */
 	size_t setting_count;
 };
 
@@ -35,6 +39,9 @@ struct scene_options {
 bool scene_options_init(struct scene_options *options, int argc, struct sm_error *error);
 /** Fine on a zeroed one. */
 void scene_options_finish(struct scene_options *options);
+
+/** Reads the name of a precision. */
+bool scene_options_precision(const char *name, enum sm_precision *precision);
 
 /** Takes a flag of SCENE_FLAGS. */
 bool scene_options_flag(struct scene_options *options, const struct command *command, int id,

@@ -119,6 +119,7 @@ static bool read_flag(
 		return true;
 	case FLAG_SAMPLES:
 	case FLAG_TECHNIQUE:
+	case FLAG_PRECISION:
 	case FLAG_MAP:
 	case FLAG_SET:
 		return scene_options_flag(&options->scene, &show_command, id, value, error);

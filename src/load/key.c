@@ -81,6 +81,8 @@ static const struct key keys[] = {
 		.follows = "the technique's first", .min = 1, .max = 1024},
 	{SECTION_SHADOW, "passes", KEY_COUNT, offsetof(struct plan_shadow, passes), .follows = "1",
 		.min = 1, .max = 2},
+	{SECTION_SHADOW, "precision", KEY_WORD, offsetof(struct plan_shadow, precision),
+		.initial = "default", .words = "default|float|half|fixed12"},
 	{SECTION_OUTPUT, "size", KEY_SIZE, offsetof(struct plan_output, width),
 		.follows = "the model's camera, or else 1280x960", .min = 1, .max = 16384},
 	{SECTION_OUTPUT, "samples", KEY_WORD, offsetof(struct plan_output, samples), .initial = "4",

@@ -43,6 +43,7 @@ struct plan_shadow {
 	float width;     /* NaN: the renderer's default */
 	enum sm_falloff falloff;
 	uint32_t samples, passes;
+	enum sm_precision precision;
 };
 
 struct plan_output {

@@ -166,7 +166,7 @@ static bool init(void *state, struct gpu *gpu, const struct sm_shadow_options *o
 const struct technique technique_smoothie = {
 	.name = "smoothie",
 	.summary = "soft shadows by fins on silhouettes (Chan & Durand 2003)",
-	.options = OPTION_WIDTH | OPTION_FALLOFF | OPTION_PASSES,
+	.options = OPTION_WIDTH | OPTION_FALLOFF | OPTION_PASSES | OPTION_PRECISION,
 	.state_size = sizeof(struct smoothie),
 	.init = init,
 	.finish = smoothie_finish,

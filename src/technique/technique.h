@@ -11,6 +11,7 @@ enum technique_option {
 	OPTION_WIDTH = 1 << 0,
 	OPTION_FALLOFF = 1 << 1,
 	OPTION_PASSES = 1 << 2,
+	OPTION_PRECISION = 1 << 3, /* any but float */
 };
 
 #define SAMPLE_CHOICES_MAX 4

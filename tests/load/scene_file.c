@@ -94,6 +94,7 @@ static void good_values_are_taken(void **state)
 		{"[shadow]\nmap = 2048\n", SECTION_SHADOW, "map", {2048}},
 		{"[shadow]\nfalloff = sinusoid\n", SECTION_SHADOW, "falloff",
 			{SM_FALLOFF_SINUSOID}},
+		{"[shadow]\nprecision = half\n", SECTION_SHADOW, "precision", {SM_PRECISION_HALF}},
 		{"[output]\nsize = 640x480\n", SECTION_OUTPUT, "size", {640, 480}},
 		{"[output]\nsamples = 1\n", SECTION_OUTPUT, "samples", {PLAN_SAMPLES_1}},
 	};

@@ -177,14 +177,15 @@ static void shadow_settings_are_passed_on(void **state)
 	struct sm_error error;
 	static const char *const settings[] = {"shadow.technique=smoothie", "shadow.map=2048",
 		"shadow.width=.1", "shadow.falloff=sinusoid", "shadow.passes=2",
-		"output.samples=1"};
+		"shadow.precision=fixed12", "output.samples=1"};
 	(void)state;
-	assert_true(stage_load(&stage, "builtin:cube", settings, 6, &error));
+	assert_true(stage_load(&stage, "builtin:cube", settings, 7, &error));
 	assert_string_equal(stage.shadow.technique, "smoothie");
 	assert_int_equal(stage.shadow.map_size, 2048);
 	assert_float_equal(stage.shadow.width, .1, 1e-6);
 	assert_int_equal(stage.shadow.falloff, SM_FALLOFF_SINUSOID);
 	assert_int_equal(stage.shadow.passes, 2);
+	assert_int_equal(stage.shadow.precision, SM_PRECISION_FIXED12);
 	assert_int_equal(stage.output.samples, 1);
 	stage_finish(&stage);
 	load(&stage, "builtin:cube", NULL);
@@ -193,6 +194,7 @@ static void shadow_settings_are_passed_on(void **state)
 	assert_float_equal(stage.shadow.width, 0, 0);
 	assert_int_equal(stage.shadow.falloff, SM_FALLOFF_DEFAULT);
 	assert_int_equal(stage.shadow.passes, 0);
+	assert_int_equal(stage.shadow.precision, SM_PRECISION_DEFAULT);
 	stage_finish(&stage);
 }
 

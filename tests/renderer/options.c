@@ -24,6 +24,9 @@ static void good_options_are_taken(void **state)
 		{.technique = "smoothie", .width = 1e-6f, .falloff = SM_FALLOFF_SINUSOID},
 		{.falloff = SM_FALLOFF_LINEAR, .passes = 1},
 		{.map_size = 17, .passes = 2},
+		{.technique = "hard", .precision = SM_PRECISION_FLOAT},
+		{.precision = SM_PRECISION_HALF, .width = 0.1f},
+		{.precision = SM_PRECISION_FIXED12, .map_size = 2047, .passes = 2},
 		{.technique = "pcf", .samples = 4},
 		{.technique = "pcf", .samples = 16},
 		{.technique = "pcss", .samples = 32},
@@ -57,6 +60,14 @@ static void bad_options_are_refused_with_a_reason(void **state)
 		{{.technique = "hard", .samples = 4}, "shadow samples does nothing"},
 		{{.technique = "pcf", .samples = 5},
 			"5 shadow samples; with the technique \"pcf\" there are: 4, 16"},
+		{{.technique = "pcf", .precision = SM_PRECISION_HALF},
+			"shadow precision does nothing"},
+		{{.precision = SM_PRECISION_HALF, .passes = 1},
+			"1 smoothie pass; with the precision \"half\" there are always 2"},
+		{{.precision = SM_PRECISION_FIXED12, .map_size = 2048},
+			"2048 texels a side; with the precision \"fixed12\" there are at most "
+			"2047"},
+		{{.precision = (enum sm_precision)4}, "a precision of number 4; the last is 3"},
 		{{.width = 2.0f}, "smoothie width of 2"},
 		{{.width = -0.1f}, "smoothie width of -0.1"},
 		{{.width = (float)NAN}, "smoothie width of nan"},
@@ -83,6 +94,16 @@ static void techniques_have_names_and_summaries_the_default_first(void **state)
 	}
 	assert_null(sm_technique_summary(count));
 	assert_null(sm_technique_name(SIZE_MAX));
+}
+
+static void precisions_have_names(void **state)
+{
+	(void)state;
+	assert_string_equal(sm_precision_name(SM_PRECISION_FLOAT - 1), "float");
+	assert_string_equal(sm_precision_name(SM_PRECISION_HALF - 1), "half");
+	assert_string_equal(sm_precision_name(SM_PRECISION_FIXED12 - 1), "fixed12");
+	assert_null(sm_precision_name(3));
+	assert_null(sm_precision_name(SIZE_MAX));
 }
 
 struct facts {
@@ -116,6 +137,7 @@ int main(void)
 		rig_test(good_options_are_taken),
 		rig_test(bad_options_are_refused_with_a_reason),
 		rig_test(techniques_have_names_and_summaries_the_default_first),
+		cmocka_unit_test(precisions_have_names),
 		rig_test(the_renderer_describes_itself),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
