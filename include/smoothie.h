@@ -338,6 +338,23 @@ typedef void (*sm_fact)(void *data, const char *key, const char *value);
 SM_API void sm_renderer_describe(const struct sm_renderer *renderer, sm_fact fact, void *data);
 
 /* ---------------------------------------------------------------------------------------------
+ * Model
+ */
+
+/**
+ * The share of a light that reaches each pixel, computed without GL, on the processor: what a
+ * driver that makes no mistake draws for sm_view.visibility_of. With SM_PRECISION_HALF and
+ * SM_PRECISION_FIXED12 it is bit for bit what every driver must draw; with SM_PRECISION_FLOAT it is
+ * what they draw but for rounding.
+ *
+ * view: framebuffer is not used; visibility_of is a light. values: [height][width], steps of
+ * 1/65535, rows from the top. Fails (INPUT) as sm_renderer_set_shadows() and sm_renderer_draw() do,
+ * (MACHINE) without memory.
+ */
+SM_API bool sm_model_visibility(const struct sm_scene *scene, const struct sm_view *view,
+	const struct sm_shadow_options *options, uint16_t *values, struct sm_error *error);
+
+/* ---------------------------------------------------------------------------------------------
  * Log
  */
 
