@@ -123,8 +123,8 @@ static void find_nearest(struct seen *seen, const struct fixed_receivers *receiv
 		while (fixed_span_next(&receiver->cover, &span))
 			for (int32_t x = span.left; x < span.right; x++) {
 				size_t at = (size_t)span.y * (size_t)seen->width + (size_t)x;
-				uint32_t depth =
-					fixed_depth_of(fixed_plane_at(&receiver->depth, x, span.y));
+				uint32_t depth = fixed_camera_depth_of(
+					fixed_plane_at(&receiver->depth, x, span.y));
 				if (depth >= seen->depths[at])
 					continue;
 				seen->depths[at] = depth;

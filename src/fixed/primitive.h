@@ -66,7 +66,8 @@ enum fixed_receiver_kind {
  * stay below 2^30. */
 struct fixed_receiver {
 	struct fixed_cover cover;
-	struct fixed_plane depth; /* the camera's window depth << FIXED_DEPTH_FRACTION */
+	struct fixed_plane depth; /* the camera's window depth << FIXED_DEPTH_FRACTION; compared as
+				    fixed_camera_depth_of() has it */
 	struct fixed_plane x, y, z, w;
 	int32_t bias; /* of window depth: what its slope may have in the four nearest texels, and
 			 rounding */
