@@ -51,16 +51,17 @@ static int32_t min(int32_t a, int32_t b)
 	return a < b ? a : b;
 }
 
-/* Pixels whose centres are in the box around the corners; false when there are none. */
+/* Pixels whose centres are in the box around corners; false when there are none. corners: x and y
+ * of each. */
 static bool find_rect(
-	int32_t corners[4][2], int count, const struct fixed_screen *screen, int32_t rect[4])
+	const int32_t *corners, int count, const struct fixed_screen *screen, int32_t rect[4])
 {
 	const int32_t size[2] = {screen->width, screen->height};
 	for (int axis = 0; axis < 2; axis++) {
-		int32_t low = corners[0][axis], high = low;
+		int32_t low = corners[axis], high = low;
 		for (int i = 1; i < count; i++) {
-			low = min(low, corners[i][axis]);
-			high = max(high, corners[i][axis]);
+			low = min(low, corners[2 * i + axis]);
+			high = max(high, corners[2 * i + axis]);
 		}
 		/* Coordinates are not below 0. */
 		const int32_t half = FIXED_SUBPIXELS / 2;
@@ -68,6 +69,12 @@ static bool find_rect(
 		rect[2 + axis] = min((high + half) / FIXED_SUBPIXELS, size[axis] - screen->border);
 	}
 	return rect[0] < rect[2] && rect[1] < rect[3];
+}
+
+bool outline_has_pixels(const struct outline *outline, const struct fixed_screen *screen)
+{
+	int32_t rect[4];
+	return find_rect(outline->corners[0], outline->count, screen, rect);
 }
 
 static int32_t tile_start(int32_t pixel)
@@ -85,7 +92,7 @@ static void start_tiles(struct cover_cutter *cutter)
 static bool piece_init(struct cover_cutter *cutter, int32_t corners[4][2], int count, bool ccw)
 {
 	cutter->piece = (struct fixed_cover){0};
-	if (!find_rect(corners, count, cutter->screen, cutter->piece.rect))
+	if (!find_rect(corners[0], count, cutter->screen, cutter->piece.rect))
 		return false;
 	for (int i = 0; i < count; i++) {
 		const int32_t *a = corners[i], *b = corners[(i + 1) % count];

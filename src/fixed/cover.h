@@ -24,6 +24,9 @@ struct outline {
 /** Twice the area of the triangle of three corners, above 0 when it is counter-clockwise. */
 int64_t outline_turn(const struct outline *outline, int a, int b, int c);
 
+/** Whether the box around it has the centre of a pixel that is drawn. */
+bool outline_has_pixels(const struct outline *outline, const struct fixed_screen *screen);
+
 /** Cuts an outline into covers: pieces of up to four corners, over the same ones, and these by the
  *  grid of tiles where they are larger than one. Each pixel is in one cover at most, and polygons
  *  that share an edge share none and leave none out (but where an outline that is no wider than a

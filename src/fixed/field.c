@@ -252,12 +252,14 @@ static void find_most(struct field *field)
 bool field_init(struct field *field, const struct polygon *polygon, int count,
 	const struct fixed_screen *screen)
 {
-	struct polygon clipped = *polygon;
-	*field = (struct field){.count = count};
+	struct polygon clipped;
+	field->count = count;
+	polygon_copy(&clipped, polygon);
 	if (!polygon_clip(&clipped))
 		return false;
 	place(field, &clipped, screen);
-	if (!find_slopes(field, polygon, screen) || !limit_slopes(field, &clipped))
+	if (!outline_has_pixels(&field->outline, screen) || !find_slopes(field, polygon, screen) ||
+		!limit_slopes(field, &clipped))
 		return false;
 	find_most(field);
 	return true;

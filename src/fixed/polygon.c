@@ -1,6 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixed/polygon.h"
 #include <math.h>
+#include <string.h>
+
+void polygon_copy(struct polygon *copy, const struct polygon *polygon)
+{
+	copy->count = polygon->count;
+	memcpy(copy->corners, polygon->corners, (size_t)polygon->count * sizeof(*copy->corners));
+}
 
 /* How far inside one side a corner is, times something above 0. */
 static double inside_by(const struct polygon_corner *corner, int axis, double sign)
@@ -72,7 +79,7 @@ bool polygon_clip(struct polygon *polygon)
 			continue;
 		struct polygon kept;
 		cut(polygon, axis, sign, &kept);
-		*polygon = kept;
+		polygon_copy(polygon, &kept);
 	}
 	for (int i = 0; i < polygon->count; i++)
 		/* Only x = y = z = w = 0 is left on the wrong side of the division. */

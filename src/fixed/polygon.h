@@ -17,9 +17,12 @@ struct polygon_corner {
 };
 
 struct polygon {
-	struct polygon_corner corners[POLYGON_CORNERS_MAX];
 	int count;
+	struct polygon_corner corners[POLYGON_CORNERS_MAX]; /* the first `count` alone are set */
 };
+
+/** What a polygon has, and no more: most have few corners. */
+void polygon_copy(struct polygon *copy, const struct polygon *polygon);
 
 /** Keeps what of a convex polygon of up to four corners is in |x|, |y|, |z| <= w. Polygons that
  *  share an edge share what is kept of it, to the last bit. False when nothing is left, or a corner

@@ -36,10 +36,11 @@ static bool is_drawn(const struct field *field, enum fixed_side side)
 bool fixed_add_blocker(struct fixed_blockers *blockers, const struct fixed_screen *screen,
 	const double clip[3][4], enum fixed_side side)
 {
-	struct polygon polygon = {0};
+	struct polygon polygon;
 	struct field field;
 	struct cover_cutter cutter;
 	struct fixed_blocker blocker = {0};
+	polygon.count = 0;
 	for (int i = 0; i < 3; i++)
 		set_corner(&polygon, clip[i]);
 	if (!field_init(&field, &polygon, DEPTH + 1, screen) || !is_drawn(&field, side))
@@ -78,10 +79,11 @@ static void fin_planes(const struct field *field, struct fixed_fin *fin)
 bool fixed_add_fin(struct fixed_fins *fins, const struct fixed_screen *screen,
 	const struct fixed_fin_corner corners[4])
 {
-	struct polygon polygon = {0};
+	struct polygon polygon;
 	struct field field;
 	struct cover_cutter cutter;
 	struct fixed_fin fin = {0};
+	polygon.count = 0;
 	for (int i = 0; i < 4; i++)
 		set_fin_corner(&polygon, &corners[i]);
 	if (!field_init(&field, &polygon, FIN_VALUES, screen))
@@ -157,11 +159,12 @@ static enum fixed_receiver_kind find_kind(
 bool fixed_add_receiver(struct fixed_receivers *receivers, const struct fixed_screen *screen,
 	const struct fixed_surface *surface, const struct fixed_bias *bias)
 {
-	struct polygon polygon = {0};
+	struct polygon polygon;
 	struct field field;
 	struct cover_cutter cutter;
 	struct fixed_receiver receiver = {0};
 	double rise;
+	polygon.count = 0;
 	for (int i = 0; i < 3; i++)
 		set_receiver_corner(&polygon, surface->clip[i], surface->light[i]);
 	if (!field_init(&field, &polygon, RECEIVER_VALUES, screen) ||
