@@ -2,8 +2,8 @@
 #ifndef RENDERER_H
 #define RENDERER_H
 
-#include "draw_order.h"
 #include "local_scene.h"
+#include "scene/draw_order.h"
 #include "shadow_set.h"
 
 /** Where several lights are added up when the caller's framebuffer cannot do that in linear

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "draw_order.h"
+#include "scene/draw_order.h"
 #include "base/array.h"
 #include <float.h>
 #include <stdlib.h>

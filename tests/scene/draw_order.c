@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "draw_order.h"
+#include "scene/draw_order.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef DRAW_ORDER_H
-#define DRAW_ORDER_H
+#ifndef SCENE_DRAW_ORDER_H
+#define SCENE_DRAW_ORDER_H
 
 #include "scene/scene.h"
 
