@@ -354,6 +354,14 @@ SM_API void sm_renderer_describe(const struct sm_renderer *renderer, sm_fact fac
 SM_API bool sm_model_visibility(const struct sm_scene *scene, const struct sm_view *view,
 	const struct sm_shadow_options *options, uint16_t *values, struct sm_error *error);
 
+/** The same, in float, of a driver that moves the corners of triangles to multiples of 2^-bits of a
+ *  pixel, 1 to 8, and interpolates from there, as GL_SUBPIXEL_BITS allows. Others let a grid, of 8
+ *  bits here, only decide which pixels a triangle covers. Fails (INPUT) also with other precisions,
+ *  which have a grid of their own. */
+SM_API bool sm_model_visibility_snapped(const struct sm_scene *scene, const struct sm_view *view,
+	const struct sm_shadow_options *options, uint32_t bits, uint16_t *values,
+	struct sm_error *error);
+
 /* ---------------------------------------------------------------------------------------------
  * Log
  */

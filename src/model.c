@@ -3,6 +3,7 @@
 #include "exact_model.h"
 #include "fixed/primitive.h"
 #include "local_scene.h"
+#include "model/float_visibility.h"
 #include "shadow_set.h"
 
 /* Pixels or texels a side. */
@@ -21,8 +22,10 @@ static bool check_view(const struct sm_scene *scene, const struct sm_view *view,
 	return true;
 }
 
-bool sm_model_visibility(const struct sm_scene *scene, const struct sm_view *view,
-	const struct sm_shadow_options *options, uint16_t *values, struct sm_error *error)
+/* snap_bits: 0 for a grid that only coverage follows. */
+static bool draw(const struct sm_scene *scene, const struct sm_view *view,
+	const struct sm_shadow_options *options, uint32_t snap_bits, uint16_t *values,
+	struct sm_error *error)
 {
 	static const struct caps caps = {.max_texture_size = SIDE_MAX};
 	struct shadow_set set;
@@ -32,15 +35,36 @@ bool sm_model_visibility(const struct sm_scene *scene, const struct sm_view *vie
 	bool exact = set.options.precision != SM_PRECISION_FLOAT;
 	if (!check_view(scene, view, exact ? FIXED_SIZE_MAX : SIDE_MAX, error))
 		return false;
-	if (!exact)
-		return error_set(error, SM_ERROR_INPUT, "float is not modelled");
+	if (exact && snap_bits > 0)
+		return error_set(error, SM_ERROR_INPUT,
+			"with the precision \"%s\" every driver has the same grid",
+			sm_precision_name((size_t)set.options.precision - 1));
 	struct sm_view local_view = *view;
+	set.options.technique = set.technique->name;
 	bool drawn = local_scene_find(&local, scene, &view->camera, error);
 	if (drawn) {
 		local_view.camera = local.camera;
-		drawn = exact_model_visibility(
-			local.scene, &local_view, &set.options, values, error);
+		drawn = exact ? exact_model_visibility(
+					local.scene, &local_view, &set.options, values, error)
+			      : model_float_visibility(local.scene, &local_view, &set.options,
+					snap_bits, values, error);
 	}
 	local_scene_finish(&local);
 	return drawn;
+}
+
+bool sm_model_visibility(const struct sm_scene *scene, const struct sm_view *view,
+	const struct sm_shadow_options *options, uint16_t *values, struct sm_error *error)
+{
+	return draw(scene, view, options, 0, values, error);
+}
+
+bool sm_model_visibility_snapped(const struct sm_scene *scene, const struct sm_view *view,
+	const struct sm_shadow_options *options, uint32_t bits, uint16_t *values,
+	struct sm_error *error)
+{
+	if (bits < 1 || bits > 8)
+		return error_set(error, SM_ERROR_INPUT,
+			"a grid of 2^-%u pixels; a model has from 1 to 8 bits", bits);
+	return draw(scene, view, options, bits, values, error);
 }

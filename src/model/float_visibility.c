@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+#include "model/float_visibility.h"
+#include "base/error.h"
+#include "model/technique.h"
+#include "scene/camera.h"
+#include <stdlib.h>
+#include <string.h>
+
+static const struct model_technique *const techniques[] = {&model_smoothie, &model_two_sided,
+	&model_penumbra_map, &model_hard, &model_pcf, &model_pcss, &model_vsm, &model_maps};
+
+static const struct model_technique *find_technique(const char *name)
+{
+	for (size_t i = 0; i < sizeof(techniques) / sizeof(techniques[0]); i++)
+		if (strcmp(techniques[i]->name, name) == 0)
+			return techniques[i];
+	return NULL;
+}
+
+/* A technique on its light's maps, and the camera's view. */
+struct scenery {
+	struct model_light light;
+	const struct model_technique *technique;
+	void *state;
+	struct view view;
+};
+
+static uint16_t value_at(const struct scenery *scenery, int x, int y)
+{
+	const struct view *view = &scenery->view;
+	const struct view_pixel *pixel = &view->pixels[(size_t)y * (size_t)view->width + (size_t)x];
+	if (pixel->object == NULL)
+		return 65535;
+	struct surface surface = view_surface(view, pixel);
+	double v = surface.faces_light ? 1.0 : 0.0;
+	if (surface.faces_light && pixel->object->receives) {
+		struct receiver receiver = receiver_of(&surface, &scenery->light);
+		receiver.pixel[0] = x;
+		receiver.pixel[1] = y;
+		v = scenery->technique->visibility(scenery->state, &receiver);
+	}
+	return (uint16_t)floor(fmin(fmax(v, 0.0), 1.0) * 65535.0 + 0.5);
+}
+
+static bool set_up(struct scenery *scenery, const struct sm_view *view, struct sm_error *error)
+{
+	const struct sm_scene *scene = scenery->light.scene;
+	mat4 world_to_clip;
+	if (!camera_world_to_clip(
+		    &view->camera, scene, view->width, view->height, world_to_clip, error))
+		return false;
+	scenery->state = calloc(1, scenery->technique->state_size);
+	if (scenery->state == NULL)
+		return error_no_memory(error);
+	return scenery->technique->init(scenery->state, &scenery->light, error) &&
+	       view_init(&scenery->view, &scenery->light, world_to_clip, (int)view->width,
+		       (int)view->height, error);
+}
+
+bool model_float_visibility(const struct sm_scene *scene, const struct sm_view *view,
+	const struct sm_shadow_options *options, uint32_t snap_bits, uint16_t *values,
+	struct sm_error *error)
+{
+	struct scenery scenery = {
+		.light = {.scene = scene,
+			.options = *options,
+			.size = (int)options->map_size,
+			.snap_bits = (int)snap_bits},
+		.technique = find_technique(options->technique),
+	};
+	if (scenery.technique == NULL)
+		return error_set(error, SM_ERROR_INPUT, "no model of the technique \"%s\"",
+			options->technique);
+	light_frame_init(&scenery.light.frame, &scene->lights[view->visibility_of].desc, scene);
+	bool drawn = set_up(&scenery, view, error);
+	for (int y = 0; drawn && y < (int)view->height; y++)
+		for (int x = 0; x < (int)view->width; x++)
+			*values++ = value_at(&scenery, x, (int)view->height - 1 - y);
+	view_finish(&scenery.view);
+	if (scenery.state != NULL)
+		scenery.technique->finish(scenery.state);
+	free(scenery.state);
+	return drawn;
+}
