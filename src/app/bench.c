@@ -8,13 +8,13 @@
 #include "app/report.h"
 #include "app/scene_options.h"
 #include "app/target.h"
-#include "app/worker.h"
 #include "base/log.h"
 #include "bench/compare.h"
 #include "bench/contents.h"
 #include "bench/report.h"
 #include "bench/run_facts.h"
 #include "platform.h"
+#include "process/worker.h"
 #include "ref/reference.h"
 #include <limits.h>
 #include <stdlib.h>

@@ -4,12 +4,12 @@
 #include "app/bench_paper_part.h"
 #include "app/output.h"
 #include "app/stopwatch.h"
-#include "app/worker.h"
 #include "base/log.h"
 #include "bench/gnuplot.h"
 #include "bench/paper_report.h"
 #include "bench/report.h"
 #include "platform.h"
+#include "process/worker.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/bench_stress.h"
 #include "app/progress.h"
-#include "app/worker.h"
 #include "bench/report.h"
 #include "bench/stress.h"
 #include "platform.h"
+#include "process/worker.h"
 #include <errno.h>
 #include <string.h>
 

@@ -50,7 +50,7 @@ struct check_result {
 	struct check_pictures pictures;
 };
 
-/** A line about driver, program or run: "GL_RENDERER", "caps", "smoothie" (its version) ... */
+/** A line about driver, program or run, as "smoothie info" and what the run was asked for. */
 struct check_fact {
 	char *key, *value; /**< owned by the run */
 };
