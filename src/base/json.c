@@ -1,46 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/json.h"
-
-/* The bytes of the character that text starts with, or 0 where it is no UTF-8 (RFC 3629). */
-static size_t character_size(const unsigned char *text)
-{
-	static const struct {
-		unsigned char first, last; /* of the first byte */
-		unsigned char low, high;   /* of the second */
-		size_t size;
-	} forms[] = {{0xc2, 0xdf, 0x80, 0xbf, 2}, {0xe0, 0xe0, 0xa0, 0xbf, 3},
-		{0xe1, 0xec, 0x80, 0xbf, 3}, {0xed, 0xed, 0x80, 0x9f, 3},
-		{0xee, 0xef, 0x80, 0xbf, 3}, {0xf0, 0xf0, 0x90, 0xbf, 4},
-		{0xf1, 0xf3, 0x80, 0xbf, 4}, {0xf4, 0xf4, 0x80, 0x8f, 4}};
-	if (text[0] < 0x80)
-		return 1;
-	for (size_t i = 0; i < sizeof(forms) / sizeof(forms[0]); i++) {
-		if (text[0] < forms[i].first || text[0] > forms[i].last)
-			continue;
-		if (text[1] < forms[i].low || text[1] > forms[i].high)
-			return 0;
-		for (size_t j = 2; j < forms[i].size; j++)
-			if (text[j] < 0x80 || text[j] > 0xbf)
-				return 0;
-		return forms[i].size;
-	}
-	return 0;
-}
+#include "base/utf8.h"
 
 void json_string(FILE *file, const char *text)
 {
-	const unsigned char *at = (const unsigned char *)text;
 	fputc('"', file);
-	while (*at != '\0') {
-		size_t size = character_size(at);
+	while (*text != '\0') {
+		size_t size = utf8_size(text);
 		if (size == 0)
 			fputs("\\ufffd", file);
-		else if (*at < 0x20)
-			fprintf(file, "\\u%04x", *at);
+		else if ((unsigned char)*text < 0x20)
+			fprintf(file, "\\u%04x", *text);
 		else
-			fprintf(file, *at == '"' || *at == '\\' ? "\\%.*s" : "%.*s", (int)size,
-				(const char *)at);
-		at += size > 0 ? size : 1;
+			fprintf(file, *text == '"' || *text == '\\' ? "\\%.*s" : "%.*s", (int)size,
+				text);
+		text += size > 0 ? size : 1;
 	}
 	fputc('"', file);
 }
