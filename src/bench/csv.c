@@ -2,25 +2,11 @@
 #include "bench/csv.h"
 #include "base/array.h"
 #include "bench/column.h"
+#include "page/escape.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void write_field(const char *text, FILE *file)
-{
-	if (strpbrk(text, ",\"\r\n") == NULL) {
-		fputs(text, file);
-		return;
-	}
-	fputc('"', file);
-	for (; *text != '\0'; text++) {
-		if (*text == '"')
-			fputc('"', file);
-		fputc(*text, file);
-	}
-	fputc('"', file);
-}
 
 static void write_row(const struct result *result, FILE *file)
 {
@@ -28,7 +14,7 @@ static void write_row(const struct result *result, FILE *file)
 	for (size_t i = 0; column_at(i) != NULL; i++) {
 		column_format(column_at(i), result, text);
 		fputs(i == 0 ? "" : ",", file);
-		write_field(text, file);
+		escape_csv(text, file);
 	}
 	fputc('\n', file);
 }

@@ -44,6 +44,17 @@ void difference_color(float error, uint8_t rgb[3])
 	encode_oklab(lab, rgb);
 }
 
+void difference_write_gradient(FILE *file)
+{
+	fputs("linear-gradient(90deg", file);
+	for (int i = -4; i <= 4; i++) {
+		uint8_t rgb[3];
+		difference_color((float)i / 4 * DIFFERENCE_FULL, rgb);
+		fprintf(file, ",#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
+	}
+	fputc(')', file);
+}
+
 static void grey_color(float visibility, uint8_t rgb[3])
 {
 	memset(rgb, encode_srgb(visibility), 3);

@@ -3,6 +3,7 @@
 #define BENCH_DIFFERENCE_H
 
 #include "base/error.h"
+#include <stdio.h>
 
 /** R,G,B,A bytes in sRGB, rows from the bottom: what png_init_picture() takes. Zero is empty. */
 struct picture {
@@ -16,6 +17,9 @@ struct picture {
 /** The colour of visibility minus reference: grey without a difference, red where it is too bright,
  *  blue where it is too dark, in steps that look alike. */
 void difference_color(float error, uint8_t rgb[3]);
+
+/** Writes the colours from the darkest to the brightest, as a gradient of CSS to the right. */
+void difference_write_gradient(FILE *file);
 
 /**
  * Makes a picture of three beside each other: reference, technique, and their difference.

@@ -3,36 +3,16 @@
 #include "bench/column.h"
 #include "bench/difference.h"
 #include "bench/mean.h"
+#include "page/escape.h"
+#include "page/page.h"
 
+/* What only these pages have; colours of difference pictures follow as stops of a gradient. */
 static const char style[] =
-	":root{color-scheme:light dark;--back:#fff;--text:#1f2328;--soft:#5b636d;--line:#d8dce1;"
-	"--best:#e3f4e8;--link:#0058a8}\n"
-	"@media(prefers-color-scheme:dark){:root{--back:#15181d;--text:#e4e7eb;--soft:#9aa3ae;"
-	"--line:#343a43;--best:#1d3a28;--link:#7db8f0}\n"
+	":root{--best:#e3f4e8}\n"
+	"@media(prefers-color-scheme:dark){:root{--best:#1d3a28}\n"
 	"img.plot{filter:invert(.92) hue-rotate(180deg)}}\n"
-	"*{box-sizing:border-box}\n"
-	"body{margin:0 auto;max-width:80rem;padding:1rem 1.25rem 4rem;background:var(--back);"
-	"color:var(--text);font:1rem/1.5 system-ui,sans-serif}\n"
-	"h1{font-size:1.7rem;line-height:1.2;margin:1rem 0 .25rem}\n"
-	"h2{font-size:1.3rem;margin:2.5rem 0 .5rem}\n"
-	"h3{font-size:1.1rem;margin:2rem 0 .25rem;border-top:1px solid var(--line);"
-	"padding-top:1rem}\n"
-	"h4{font-size:1rem;margin:1.25rem 0 .25rem}\n"
-	"p{margin:.25rem 0 .75rem;max-width:46rem}\n"
-	"a{color:var(--link)}\n"
-	".soft,caption,figcaption{color:var(--soft);font-size:.875rem}\n"
-	"figure{margin:.5rem 0;overflow-x:auto}\n"
-	"img{max-width:100%;height:auto;display:block}img.plot{min-width:36rem}\n"
-	".scroll{overflow-x:auto;margin:.5rem 0 1rem}\n"
-	"table{border-collapse:collapse;font-size:.875rem;font-variant-numeric:tabular-nums}\n"
-	"caption{text-align:left;padding-bottom:.25rem}\n"
-	"th,td{padding:.2rem .45rem;text-align:right;white-space:nowrap;"
-	"border-bottom:1px solid var(--line)}\n"
-	"thead th{font-weight:600;color:var(--soft)}\n"
-	"th:first-child{text-align:left;font-weight:500}\n"
-	".scroll th:first-child{position:sticky;left:0;background:var(--back)}\n"
+	"img.plot{min-width:36rem}\n"
 	"td.best{background:var(--best)}\n"
-	"td.left{text-align:left;white-space:normal;overflow-wrap:anywhere}\n"
 	".bars{width:100%;max-width:46rem}.bars td:nth-child(2){width:100%;padding:.2rem 0}\n"
 	".bars th,.bars td{border:0}.bar{display:flex;height:.9rem}\n"
 	".legend span{margin-right:1rem;white-space:nowrap;font-size:.875rem}"
@@ -43,29 +23,7 @@ static const char style[] =
 	".p7{background:#8a8f98}\n"
 	".differences{display:grid;gap:.75rem;"
 	"grid-template-columns:repeat(auto-fill,minmax(min(100%,26rem),1fr))}\n"
-	".scale{font-size:.875rem;color:var(--soft)}.scale i{display:inline-block;width:10rem;"
-	"height:.8rem;margin:0 .4rem;vertical-align:-.1rem;background:linear-gradient(90deg";
-
-void html_text(const char *text, FILE *file)
-{
-	for (; *text != '\0'; text++)
-		switch (*text) {
-		case '&':
-			fputs("&amp;", file);
-			break;
-		case '<':
-			fputs("&lt;", file);
-			break;
-		case '>':
-			fputs("&gt;", file);
-			break;
-		case '"':
-			fputs("&quot;", file);
-			break;
-		default: /* controls are no text */
-			fputc((unsigned char)*text < 0x20 ? ' ' : *text, file);
-		}
-}
+	".scale i{background:";
 
 void html_write_plot(const struct contents *contents, const struct result *setting,
 	const struct result *scene, FILE *file)
@@ -83,17 +41,11 @@ void html_write_plot(const struct contents *contents, const struct result *setti
 		svg, png);
 }
 
-/* The colours of difference pictures as stops of a gradient. */
 static void write_style(FILE *file)
 {
-	fputs("<style>\n", file);
-	fputs(style, file);
-	for (int i = -4; i <= 4; i++) {
-		uint8_t rgb[3];
-		difference_color((float)i / 4 * DIFFERENCE_FULL, rgb);
-		fprintf(file, ",#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
-	}
-	fputs(")}\n</style>\n", file);
+	fprintf(file, "<style>\n%s", style);
+	difference_write_gradient(file);
+	fputs("}\n</style>\n", file);
 }
 
 static void write_means(const struct contents *contents, const struct result *setting, FILE *file)
@@ -102,7 +54,7 @@ static void write_means(const struct contents *contents, const struct result *se
 	char text[160];
 	setting_describe(setting, text, sizeof(text));
 	fputs("<div class=\"scroll\"><table>\n<caption>Means over scenes; ", file);
-	html_text(text, file);
+	escape_markup(text, file);
 	fputs("</caption>\n<thead><tr><th scope=\"col\">technique</th><th "
 	      "scope=\"col\">scenes</th>",
 		file);
@@ -115,7 +67,7 @@ static void write_means(const struct contents *contents, const struct result *se
 		if (mean.scenes == 0)
 			continue;
 		fputs("<tr><th scope=\"row\">", file);
-		html_text(technique->technique, file);
+		escape_markup(technique->technique, file);
 		fprintf(file, "</th><td>%zu</td>", mean.scenes);
 		for (size_t j = 0; (column = mean_column_at(j)) != NULL; j++) {
 			fputs("<td>", file);
@@ -144,7 +96,7 @@ static void write_overview(const struct contents *contents, FILE *file)
 			continue;
 		setting_describe(setting, text, sizeof(text));
 		fputs("<details><summary>", file);
-		html_text(text, file);
+		escape_markup(text, file);
 		fputs("</summary>\n", file);
 		html_write_plot(contents, setting, NULL, file);
 		write_means(contents, setting, file);
@@ -157,7 +109,7 @@ static void write_scenes(const struct contents *contents, FILE *file)
 	fputs("<h2 id=\"scenes\">Scenes</h2>\n<nav><p>", file);
 	for (size_t i = 0; i < contents->scenes.count; i++) {
 		fprintf(file, "%s<a href=\"#scene-%zu\">", i > 0 ? " &middot; " : "", i);
-		html_text(contents->scenes.items[i]->scene, file);
+		escape_markup(contents->scenes.items[i]->scene, file);
 		fputs("</a>", file);
 	}
 	fputs("</p></nav>\n<p class=\"soft\">The best of each column is marked.</p>\n", file);
@@ -165,26 +117,17 @@ static void write_scenes(const struct contents *contents, FILE *file)
 		html_write_scene(contents, contents->scenes.items[i], file);
 }
 
-static void write_pair(const char *key, const char *value, FILE *file)
-{
-	fputs("<tr><th scope=\"row\">", file);
-	html_text(key, file);
-	fputs("</th><td class=\"left\">", file);
-	html_text(value, file);
-	fputs("</td></tr>\n", file);
-}
-
 static void write_facts(const struct run_facts *facts, FILE *file)
 {
 	fputs("<h2 id=\"repeat\">How to repeat it</h2>\n<p>At commit <code>", file);
-	html_text(run_facts_get(facts, "commit"), file);
+	escape_markup(run_facts_get(facts, "commit"), file);
 	fputs("</code>:</p>\n<div class=\"scroll\"><pre><code>", file);
-	html_text(run_facts_get(facts, "command"), file);
+	escape_markup(run_facts_get(facts, "command"), file);
 	fputs("</code></pre></div>\n<h2 id=\"machine\">Machine, driver, settings</h2>\n"
 	      "<div class=\"scroll\"><table><tbody>\n",
 		file);
 	for (size_t i = 0; i < facts->count; i++)
-		write_pair(facts->items[i].key, facts->items[i].value, file);
+		page_pair(facts->items[i].key, facts->items[i].value, file);
 	fputs("</tbody></table></div>\n", file);
 }
 
@@ -194,27 +137,24 @@ static void write_columns(FILE *file)
 	      "<tbody>\n",
 		file);
 	for (size_t i = 0; column_at(i) != NULL; i++)
-		write_pair(column_at(i)->name, column_at(i)->help, file);
+		page_pair(column_at(i)->name, column_at(i)->help, file);
 	fputs("</tbody></table></div></details>\n", file);
 }
 
 void html_write(const struct contents *contents, FILE *file)
 {
-	fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-	      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
-	      "<title>smoothie bench</title>\n",
-		file);
+	page_begin("smoothie bench", file);
 	write_style(file);
-	fputs("</head>\n<body>\n<h1>Soft shadows: error against time</h1>\n<p class=\"soft\">",
-		file);
-	html_text(run_facts_get(contents->facts, "date"), file);
+	page_body(file);
+	fputs("<h1>Soft shadows: error against time</h1>\n<p class=\"soft\">", file);
+	escape_markup(run_facts_get(contents->facts, "date"), file);
 	fprintf(file,
 		"; techniques: %zu, scenes: %zu, results: %zu, as <a href=\"results.csv\">CSV</a> "
 		"and <a href=\"results.json\">JSON</a></p>\n",
 		contents->techniques.count, contents->scenes.count, contents->results->count);
 	if (contents->main != NULL) {
 		fputs("<p class=\"soft\">", file);
-		html_text(contents->main->machine, file);
+		escape_markup(contents->main->machine, file);
 		fputs("</p>\n", file);
 		write_overview(contents, file);
 		write_scenes(contents, file);
@@ -223,5 +163,5 @@ void html_write(const struct contents *contents, FILE *file)
 	}
 	write_facts(contents->facts, file);
 	write_columns(file);
-	fputs("</body>\n</html>\n", file);
+	page_end(file);
 }

@@ -12,9 +12,6 @@ void html_write(const struct contents *contents, FILE *file);
 /** Writes the section of one scene. */
 void html_write_scene(const struct contents *contents, const struct result *scene, FILE *file);
 
-/** Writes text so that no character of it is markup. */
-void html_text(const char *text, FILE *file);
-
 /** Writes a chart of the setting, of a scene or with NULL of all, where there are charts. */
 void html_write_plot(const struct contents *contents, const struct result *setting,
 	const struct result *scene, FILE *file);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench/html.h"
 #include "bench/table.h"
+#include "page/escape.h"
 #include <string.h>
 
 static void write_headings(const struct contents *contents, FILE *file)
@@ -9,9 +10,9 @@ static void write_headings(const struct contents *contents, FILE *file)
 	fputs("<thead><tr><th scope=\"col\">technique</th>", file);
 	while ((column = table_next_column(column, contents->results)) != NULL) {
 		fputs("<th scope=\"col\" title=\"", file);
-		html_text(table_help(column), file);
+		escape_markup(table_help(column), file);
 		fputs("\">", file);
-		html_text(table_heading(column), file);
+		escape_markup(table_heading(column), file);
 		fputs("</th>", file);
 	}
 	fputs("</tr></thead>\n", file);
@@ -21,7 +22,7 @@ static void write_row(const struct contents *contents, const struct result *resu
 {
 	const struct table_column *column = NULL;
 	fputs("<tr><th scope=\"row\">", file);
-	html_text(result->technique, file);
+	escape_markup(result->technique, file);
 	fputs("</th>", file);
 	while ((column = table_next_column(column, contents->results)) != NULL) {
 		bool best = table_is_best(column, contents->results, result);
@@ -39,7 +40,7 @@ static void write_table(const struct rows *rows, FILE *file)
 	char text[160];
 	setting_describe(setting, text, sizeof(text));
 	fputs("<div class=\"scroll\"><table>\n<caption>", file);
-	html_text(text, file);
+	escape_markup(text, file);
 	fprintf(file, "; errors at %u&times;%u, times at %u&times;%u pixels</caption>\n",
 		setting->width, setting->height, setting->time_width, setting->time_height);
 	write_headings(rows->contents, file);
@@ -61,14 +62,14 @@ static double passes_total(const struct result *result)
 static void write_bar(const struct contents *contents, const struct result *result, FILE *file)
 {
 	fputs("<tr><th scope=\"row\">", file);
-	html_text(result->technique, file);
+	escape_markup(result->technique, file);
 	fputs("</th><td><div class=\"bar\">", file);
 	for (size_t i = 0; i < PASSES_MAX && result->passes[i].name[0] != '\0'; i++) {
 		const struct pass_time *pass = &result->passes[i];
 		fprintf(file, "<span class=\"p%zu\" style=\"width:%.2f%%\" title=\"",
 			pass_number(contents, pass->name) % 8,
 			pass->ms > 0 ? 100 * pass->ms / passes_total(result) : 0);
-		html_text(pass->name, file);
+		escape_markup(pass->name, file);
 		fprintf(file, ": %.2f ms\"></span>", pass->ms);
 	}
 	fprintf(file, "</div></td><td>%.2f ms</td></tr>\n", passes_total(result));
@@ -98,7 +99,7 @@ static void write_legend(const struct rows *rows, FILE *file)
 		if (!any_has_pass(rows, rows->contents->passes[i]))
 			continue;
 		fprintf(file, "<span><i class=\"p%zu\"></i>", i % 8);
-		html_text(rows->contents->passes[i], file);
+		escape_markup(rows->contents->passes[i], file);
 		fputs("</span> ", file);
 	}
 	fputs("</p>\n", file);
@@ -133,9 +134,9 @@ static void write_difference(const struct result *result, FILE *file)
 	difference_file_name(result, name);
 	fprintf(file, "<figure><a href=\"%s\"><img loading=\"lazy\" src=\"%s\" alt=\"Reference, ",
 		name, name);
-	html_text(result->technique, file);
+	escape_markup(result->technique, file);
 	fputs(" and their difference\"></a><figcaption>", file);
-	html_text(result->technique, file);
+	escape_markup(result->technique, file);
 	if (result->error[REGION_PENUMBRA].pixels > 0)
 		fprintf(file, ": RMSE %.4f", result->error[REGION_PENUMBRA].rmse);
 	fputs("</figcaption></figure>\n", file);
@@ -164,7 +165,7 @@ static void write_details(const struct rows *rows, FILE *file)
 	char text[160];
 	setting_describe(rows->setting, text, sizeof(text));
 	fputs("<details><summary>", file);
-	html_text(text, file);
+	escape_markup(text, file);
 	fputs("</summary>\n", file);
 	write_table(rows, file);
 	write_differences(rows, file);
@@ -175,7 +176,7 @@ void html_write_scene(const struct contents *contents, const struct result *scen
 {
 	fprintf(file, "<section id=\"scene-%zu\">\n<h3>",
 		distinct_find(&contents->scenes, scene, same_scene));
-	html_text(scene->scene, file);
+	escape_markup(scene->scene, file);
 	fprintf(file, "</h3>\n<p>%u triangles.</p>\n", scene->triangles);
 	const struct rows main = {contents, scene, contents->main};
 	if (rows_next(&main, NULL) != NULL) {
