@@ -4,10 +4,10 @@
 #include "app/bench_cell.h"
 #include "app/bench_view.h"
 #include "app/output.h"
-#include "app/png.h"
 #include "bench/contents.h"
 #include "bench/difference.h"
 #include "bench/visibility_error.h"
+#include "page/png.h"
 #include "platform.h"
 #include "ref/reference.h"
 #include <limits.h>

@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "bench/csv.h"
 #include "bench/report.h"
+#include "page/file.h"
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
@@ -29,19 +30,8 @@ bool bench_output_file(const char *folder, const char *name,
 	void (*print)(FILE *file, const void *data), const void *data, struct sm_error *error)
 {
 	char path[PATH_MAX];
-	char *text = NULL;
-	size_t size = 0;
-	if (!file_path(folder, name, path, error))
-		return false;
-	FILE *file = open_memstream(&text, &size);
-	if (file == NULL)
-		return error_no_memory(error);
-	print(file, data);
-	bool printed = ferror(file) == 0;
-	printed = fclose(file) == 0 && printed;
-	bool written = printed ? output_write(path, text, size, error) : error_no_memory(error);
-	free(text);
-	return written;
+	return file_path(folder, name, path, error) &&
+	       file_print(path, print, data, output_write, error);
 }
 
 bool bench_output_read(struct result_list *results, const char *path, struct sm_error *error)

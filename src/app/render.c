@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/facts.h"
 #include "app/output.h"
-#include "app/png.h"
 #include "app/program_store.h"
 #include "app/progress.h"
 #include "app/report.h"
@@ -11,6 +10,7 @@
 #include "app/target.h"
 #include "base/array.h"
 #include "load/motion.h"
+#include "page/png.h"
 #include "platform.h"
 #include <GLES3/gl3.h>
 #include <getopt.h>

@@ -52,22 +52,26 @@ static void write_json(const struct contents *contents, FILE *file)
 	json_write(contents->results, contents->facts, file);
 }
 
+/* What a page is made from, and by what. */
+struct page {
+	void (*write)(const struct contents *contents, FILE *file);
+	const struct contents *contents; /* not owned */
+};
+
+static void print_page(FILE *file, const void *data)
+{
+	const struct page *page = data;
+	page->write(page->contents, file);
+}
+
 static bool write_page(const struct report *report, const char *name,
 	void (*write)(const struct contents *contents, FILE *file), const struct contents *contents,
 	struct sm_error *error)
 {
-	char *text = NULL;
-	size_t size;
-	FILE *file = open_memstream(&text, &size);
-	if (file == NULL)
-		return error_no_memory(error);
-	write(contents, file);
-	bool whole = ferror(file) == 0;
-	whole = fclose(file) == 0 && whole;
-	bool written =
-		whole ? write_bytes(report, name, text, size, error) : error_no_memory(error);
-	free(text);
-	return written;
+	const struct page page = {write, contents};
+	char path[PATH_MAX];
+	return find_path(report, name, path, error) &&
+	       file_print(path, print_page, &page, report->write, error);
 }
 
 /* Everything in a file, from where it is. */

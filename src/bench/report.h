@@ -4,17 +4,14 @@
 
 #include "bench/result.h"
 #include "bench/run_facts.h"
-
-/** Writes a whole file or nothing: app/output.h's output_write(). */
-typedef bool (*report_file_writer)(
-	const char *path, const void *bytes, size_t size, struct sm_error *error);
+#include "page/file.h"
 
 struct report {
 	const char *folder; /* is made where it is missing; "differences" in it may hold pictures
 			       named by difference_file_name() */
 	const struct result_list *results;
 	const struct run_facts *facts;
-	report_file_writer write;
+	file_writer write;
 };
 
 /**

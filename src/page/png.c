@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "app/png.h"
+#include "page/png.h"
 #include "base/array.h"
 #include "base/error.h"
 #include <png.h>

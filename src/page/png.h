@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef APP_PNG_H
-#define APP_PNG_H
+#ifndef PAGE_PNG_H
+#define PAGE_PNG_H
 
 #include <smoothie.h>
 

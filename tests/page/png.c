@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What is encoded comes back: every value, the right way up, and marked with its meaning. */
-#include "app/png.h"
+#include "page/png.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
