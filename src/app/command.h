@@ -24,6 +24,7 @@ struct command {
 };
 
 extern const struct command bench_command;
+extern const struct command check_command;
 extern const struct command info_command;
 extern const struct command render_command;
 extern const struct command show_command;

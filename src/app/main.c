@@ -8,7 +8,7 @@
 #include <string.h>
 
 static const struct command *const commands[] = {
-	&render_command, &show_command, &bench_command, &info_command};
+	&render_command, &show_command, &check_command, &bench_command, &info_command};
 static const size_t command_count = sizeof(commands) / sizeof(commands[0]);
 
 static void print_usage(void)

@@ -27,10 +27,11 @@ struct slot {
 /* A run that goes on. */
 struct pool {
 	const struct check_runner *runner;
+	struct check_run *run;
 	struct check_result *results; /* [list->count], shared */
 	bool *ended;                  /* [list->count] */
 	struct slot *slots;           /* [jobs] */
-	size_t next, done;
+	size_t next;
 };
 
 static double now(void)
@@ -62,12 +63,25 @@ static bool begin(struct slot *slot, struct sm_error *error)
 	return worker_start(&slot->process, &slot->worker, error);
 }
 
-static bool finish_case(
-	struct pool *pool, size_t index, const struct check_result *result, struct sm_error *error)
+/* Puts a result among the run's, in the list's order. */
+static struct check_result *insert(struct pool *pool, size_t index)
+{
+	struct check_run *run = pool->run;
+	size_t at = 0;
+	for (size_t i = 0; i < index; i++)
+		at += pool->ended[i];
+	struct check_result *place = &run->results[at];
+	memmove(place + 1, place, (run->count - at) * sizeof(*place));
+	*place = pool->results[index];
+	run->count++;
+	pool->ended[index] = true;
+	return place;
+}
+
+static bool finish_case(struct pool *pool, size_t index, struct sm_error *error)
 {
 	const struct check_runner *runner = pool->runner;
-	pool->ended[index] = true;
-	pool->done++;
+	const struct check_result *result = insert(pool, index);
 	return runner->ended == NULL || runner->ended(runner->data, result, error);
 }
 
@@ -77,7 +91,7 @@ static bool skip(struct pool *pool, size_t index, const char *place, struct sm_e
 	*result = (struct check_result){.status = CHECK_SKIP, .first_status = CHECK_SKIP};
 	memcpy(result->name, pool->runner->list->items[index].name, sizeof(result->name));
 	snprintf(result->message, sizeof(result->message), "left out by %.300s", place);
-	return finish_case(pool, index, result, error);
+	return finish_case(pool, index, error);
 }
 
 /* Starts the next case that is not left out, if there is one. */
@@ -118,7 +132,7 @@ static bool settle(struct pool *pool, struct slot *slot, struct sm_error *error)
 		slot->first = *result;
 		return begin(slot, error);
 	}
-	return finish_case(pool, slot->index, result, error);
+	return finish_case(pool, slot->index, error);
 }
 
 static void end(struct slot *slot, enum check_status status, const char *message)
@@ -170,27 +184,14 @@ static bool run_all(struct pool *pool, struct sm_error *error)
 {
 	static const struct timespec pause = {.tv_nsec = 2000000};
 	const struct check_runner *runner = pool->runner;
-	while (pool->done < runner->list->count && !is_stopped(runner)) {
+	while (pool->run->count < runner->list->count && !is_stopped(runner)) {
 		for (uint32_t i = 0; i < runner->jobs; i++)
 			if (!serve(pool, &pool->slots[i], error))
 				return false;
 		if (runner->watch != NULL)
-			runner->watch(runner->data, pool->done);
+			runner->watch(runner->data, pool->run->count);
 		nanosleep(&pause, NULL);
 	}
-	return true;
-}
-
-/* Copies what has ended out of shared memory. */
-static bool collect(const struct pool *pool, struct check_run *run, struct sm_error *error)
-{
-	run->results = array_alloc(pool->done, sizeof(*run->results));
-	if (run->results == NULL)
-		return error_no_memory(error);
-	for (size_t i = 0; i < pool->runner->list->count; i++)
-		if (pool->ended[i])
-			run->results[run->count++] = pool->results[i];
-	run->complete = run->count == pool->runner->list->count;
 	return true;
 }
 
@@ -202,16 +203,18 @@ bool check_runner_run(
 	double started = now();
 	struct pool pool = {
 		.runner = runner,
+		.run = run,
 		.results = worker_share(size),
 		.ended = array_zalloc(count, sizeof(*pool.ended)),
 		.slots = array_zalloc(runner->jobs, sizeof(*pool.slots)),
 	};
-	bool made = pool.results != NULL && pool.ended != NULL && pool.slots != NULL;
+	run->results = array_alloc(count, sizeof(*run->results));
+	bool made = run->results != NULL && pool.results != NULL && pool.ended != NULL &&
+		    pool.slots != NULL;
 	bool ran = made ? run_all(&pool, error) : error_no_memory(error);
 	for (uint32_t i = 0; pool.slots != NULL && i < runner->jobs; i++)
 		worker_stop(&pool.slots[i].process);
-	if (made && !collect(&pool, run, ran ? error : NULL))
-		ran = false;
+	run->complete = run->count == count;
 	run->seconds = now() - started;
 	worker_unshare(pool.results, size);
 	free(pool.ended);

@@ -16,7 +16,8 @@ struct check_runner {
 	 *  when there is no more room for what it writes. */
 	bool (*attempt)(void *data, const struct check_case *item, struct check_result *result,
 		struct sm_error *error);
-	/** Is told each result once it is final; may be NULL. Fails as attempt(). */
+	/** Is told each result once it is final, when it is one of the run's; may be NULL. Fails as
+	 *  attempt(). */
 	bool (*ended)(void *data, const struct check_result *result, struct sm_error *error);
 	/** Called every few milliseconds; may be NULL. */
 	void (*watch)(void *data, size_t done);
@@ -25,10 +26,10 @@ struct check_runner {
 };
 
 /**
- * Runs the list. run->results gets what has ended, in the list's order, also on failure; run->
- * complete says whether that is all. Call it while there are no other threads and no GL. All
- * children have ended when it returns.
- * Fails as attempt() and ended(), and (MACHINE) for lack of memory or processes.
+ * Runs the list. run->results has what has ended, in the list's order, all the while and also on
+ * failure; run->complete says whether that is all. Call it while there are no other threads and no
+ * GL. All children have ended when it returns. Fails as attempt() and ended(), and (MACHINE) for
+ * lack of memory or processes.
  */
 bool check_runner_run(
 	const struct check_runner *runner, struct check_run *run, struct sm_error *error);

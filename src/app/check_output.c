@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+#include "app/check_output.h"
+#include "app/output.h"
+#include "app/stopwatch.h"
+#include "bench/report.h"
+#include "check/report.h"
+#include <errno.h>
+#include <string.h>
+
+static const double interval = 2000; /* ms between files of a run that goes on */
+
+/* Where a folder cannot be written, another machine may well: the run fails, not the command. */
+static bool as_machine(bool done, struct sm_error *error)
+{
+	if (!done)
+		error->status = SM_ERROR_MACHINE;
+	return done;
+}
+
+static struct check_report report(const struct check_output *output)
+{
+	return (struct check_report){
+		.folder = output->options->output, .run = output->run, .write = output_write};
+}
+
+static bool write_results(struct check_output *output, struct sm_error *error)
+{
+	struct check_report files = report(output);
+	output->written = stopwatch_now();
+	return output->options->output == NULL ||
+	       as_machine(check_report_results(&files, error), error);
+}
+
+static bool flush(struct sm_error *error)
+{
+	return fflush(stdout) == 0 ||
+	       error_set(error, SM_ERROR_MACHINE, "cannot write the outcome (%s)", strerror(errno));
+}
+
+static const char *find_fact(const struct check_run *run, const char *key)
+{
+	for (size_t i = 0; i < run->fact_count; i++)
+		if (strcmp(run->facts[i].key, key) == 0)
+			return run->facts[i].value;
+	return "";
+}
+
+bool check_output_begin(struct check_output *output, const struct check_options *options,
+	const struct check_run *run, size_t count, struct sm_error *error)
+{
+	*output = (struct check_output){.options = options, .run = run};
+	if (options->output != NULL &&
+		!as_machine(report_make_folder(options->output, error), error))
+		return false;
+	if (!write_results(output, error))
+		return false;
+	if (options->tap)
+		check_tap_begin(stdout, count);
+	else
+		printf("%s\n%s; %s; pictures of %s; %zu cases, %u at a time\n",
+			find_fact(run, "renderer"), find_fact(run, "version"),
+			find_fact(run, "class of drivers"), find_fact(run, "size of pictures"),
+			count, run->jobs);
+	progress_start(&output->progress, (uint32_t)count, options->common.verbosity < 0);
+	return flush(error);
+}
+
+static bool is_worth_a_line(const struct check_output *output, const struct check_result *result)
+{
+	return output->options->common.verbosity > 0 ||
+	       check_status_is_unexpected(result->status) || result->status == CHECK_FLAKE;
+}
+
+bool check_output_result(
+	struct check_output *output, const struct check_result *result, struct sm_error *error)
+{
+	output->told++;
+	if (output->options->tap) {
+		progress_finish(&output->progress);
+		check_tap_result(stdout, output->told, result);
+	} else if (is_worth_a_line(output, result)) {
+		progress_finish(&output->progress);
+		printf("%s %s (%.2f s)%s%s\n", check_status_name(result->status), result->name,
+			result->seconds, result->message[0] != '\0' ? ": " : "", result->message);
+	}
+	if (!flush(error))
+		return false;
+	return stopwatch_now() - output->written < interval || write_results(output, error);
+}
+
+static void print_summary(const struct check_run *run)
+{
+	size_t counts[CHECK_STATUS_COUNT] = {0};
+	for (size_t i = 0; i < run->count; i++)
+		counts[run->results[i].status]++;
+	for (size_t status = 0; status < CHECK_STATUS_COUNT; status++)
+		if (counts[status] > 0)
+			printf("%-15s %zu\n", check_status_name((enum check_status)status),
+				counts[status]);
+	printf("%-15s %zu in %.1f s\n", run->complete ? "All" : "Ended early", run->count,
+		run->seconds);
+}
+
+bool check_output_end(struct check_output *output, struct sm_error *error)
+{
+	struct check_report files = report(output);
+	progress_finish(&output->progress);
+	bool written = output->options->output == NULL ||
+		       as_machine(check_report_write(&files, error), error);
+	if (output->options->tap && !output->run->complete)
+		check_tap_bail_out(stdout, written ? "the run was ended" : error->text);
+	else if (!output->options->tap)
+		print_summary(output->run);
+	return written && flush(error);
+}
+
+bool check_output_verdict(const struct check_run *run, struct sm_error *error)
+{
+	size_t unexpected = 0;
+	for (size_t i = 0; i < run->count; i++)
+		unexpected += check_status_is_unexpected(run->results[i].status);
+	if (!run->complete)
+		return error_set(
+			error, SM_ERROR_MACHINE, "the run was ended after %zu cases", run->count);
+	return unexpected == 0 ||
+	       error_set(error, SM_ERROR_MACHINE, "%zu of %zu cases did not end as expected",
+		       unexpected, run->count);
+}
