@@ -25,12 +25,13 @@ struct session {
 
 static volatile sig_atomic_t stop; /* the signal that asks for the run's end */
 
+/* Of the first attempt, which is the one that reports tell of. */
 static bool write_pictures(const struct session *session, const struct check_context *context,
 	struct check_result *result, struct sm_error *error)
 {
 	struct check_pair pair = {context->drawn, context->wanted, context->width, context->height};
 	if (session->options.output == NULL || result->status != CHECK_FAIL ||
-		context->drawn == NULL || context->wanted == NULL)
+		result->attempts > 1 || context->drawn == NULL || context->wanted == NULL)
 		return true;
 	if (check_pictures_write(session->options.output, &pair, output_write, result, error))
 		return true;
