@@ -49,6 +49,7 @@ static struct check_context make_context(const struct session *session)
 		.class = session->class,
 		.width = options->width > 0 ? options->width : side,
 		.height = options->width > 0 ? options->height : side,
+		.map = check_class_map(session->class),
 	};
 }
 

@@ -29,7 +29,7 @@ static const struct flag flags[] = {
 	{FLAG_FRACTION, "fraction", "N", "every N-th case alone"},
 	{FLAG_FRACTION_START, "fraction-start", "K", "from the K-th on, 1 to N; default 1"},
 	{FLAG_TIMEOUT, "timeout", "S", "seconds that a case may take; default 60"},
-	{FLAG_SIZE, "size", "WxH", "of pictures; default: 256x256, and 96x96 on softpipe"},
+	{FLAG_SIZE, "size", "WxH", "of pictures; default: 256x256, and 64x64 on softpipe"},
 	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
 };

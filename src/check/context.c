@@ -8,15 +8,15 @@
 static const struct {
 	const char *name;
 	const char *part; /* of GL_RENDERER */
-	uint32_t size;
+	uint32_t size, map;
 } classes[CHECK_CLASS_COUNT] = {
 	/* zink names the Vulkan driver below it, which may be llvmpipe's: it is looked for first */
-	[CHECK_ZINK] = {"zink", "zink", 256},
-	[CHECK_LLVMPIPE] = {"llvmpipe", "llvmpipe", 256},
+	[CHECK_ZINK] = {"zink", "zink", 256, 1024},
+	[CHECK_LLVMPIPE] = {"llvmpipe", "llvmpipe", 256, 1024},
 	/* 20 to 60 times slower than llvmpipe */
-	[CHECK_SOFTPIPE] = {"softpipe", "softpipe", 96},
-	[CHECK_SWIFTSHADER] = {"swiftshader", "SwiftShader", 256},
-	[CHECK_HARDWARE] = {"hardware", "", 256},
+	[CHECK_SOFTPIPE] = {"softpipe", "softpipe", 64, 256},
+	[CHECK_SWIFTSHADER] = {"swiftshader", "SwiftShader", 256, 1024},
+	[CHECK_HARDWARE] = {"hardware", "", 256, 1024},
 };
 
 enum check_class check_class_find(const char *renderer)
@@ -37,6 +37,11 @@ const char *check_class_name(enum check_class class)
 uint32_t check_class_size(enum check_class class)
 {
 	return classes[class].size;
+}
+
+uint32_t check_class_map(enum check_class class)
+{
+	return classes[class].map;
 }
 
 void check_context_finish(struct check_context *context)

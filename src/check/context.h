@@ -19,8 +19,10 @@ enum check_class {
 enum check_class check_class_find(const char *renderer);
 /** "llvmpipe", "softpipe", "zink", "swiftshader", "hardware". */
 const char *check_class_name(enum check_class class);
-/** Pixels a side of pictures: as many as the class draws in a fair time. */
+/** Pixels a side of pictures, and texels a side of their shadow maps: as many as the class draws in
+ *  a fair time. */
 uint32_t check_class_size(enum check_class class);
+uint32_t check_class_map(enum check_class class);
 
 /** What the process of a case has. */
 struct check_context {
@@ -30,6 +32,7 @@ struct check_context {
 	bool debug;
 	enum check_class class;
 	uint32_t width, height; /**< of pictures */
+	uint32_t map;           /**< texels a side of their shadow maps */
 	/** What was drawn, and what must be: [height][width] shares of a light in steps of 1/65535,
 	 *  rows from the top; owned, NULL: none. */
 	uint16_t *drawn, *wanted;

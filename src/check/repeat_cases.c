@@ -34,7 +34,8 @@ static bool draw(const struct check_case *item, struct check_context *context,
 	struct check_result *result, struct sm_error *error)
 {
 	struct check_view view = {0};
-	struct sm_shadow_options options = {.technique = sm_technique_name(item->choice[0])};
+	struct sm_shadow_options options = {
+		.technique = sm_technique_name(item->choice[0]), .map_size = context->map};
 	struct sm_renderer *renderer = sm_renderer_create(platform_get_proc, error);
 	bool drawn = renderer != NULL && sm_renderer_set_shadows(renderer, &options, error) &&
 		     check_view_init(&view, check_scene_name(item->choice[1]), context->width,
