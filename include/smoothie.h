@@ -170,6 +170,26 @@ typedef void (*(*sm_get_proc)(const char *name))(void);
 /** A renderer in the current context, which must be OpenGL ES 3.0 or later; the context must be
  *  current whenever the renderer is used or destroyed. */
 SM_API struct sm_renderer *sm_renderer_create(sm_get_proc get_proc, struct sm_error *error);
+
+/** What of the driver a renderer uses. Zero: all of it, each need met in the best way. */
+struct sm_driver_options {
+	/** "-NAME,+NAME...": caps taken away, and given back where the driver has them, in order;
+	 *  names as sm_renderer_describe() lists them. NULL: none. */
+	const char *caps;
+	/** [path_count] "NEED=WAY" each: a need met in that way and no other. Of paths of one need
+	 *  the last counts. */
+	const char *const *paths;
+	size_t path_count;
+};
+
+/** As sm_renderer_create(). Fails (INPUT) on an unknown cap, need or way, (MACHINE) where the
+ * driver lacks what a way takes. Nothing of *options is kept. */
+SM_API struct sm_renderer *sm_renderer_create_with(
+	sm_get_proc get_proc, const struct sm_driver_options *options, struct sm_error *error);
+/** What techniques need of a driver and get in one of several ways; NULL past the last. */
+SM_API const char *sm_need_name(size_t index);
+/** The ways of a need, best first; NULL past the last, or when `need` is past the last need. */
+SM_API const char *sm_way_name(size_t need, size_t index);
 /** Frees every GL object the renderer made; NULL is fine. */
 SM_API void sm_renderer_destroy(struct sm_renderer *renderer);
 
@@ -333,9 +353,11 @@ struct sm_memory {
 SM_API void sm_renderer_get_memory(
 	const struct sm_renderer *renderer, const struct sm_scene *scene, struct sm_memory *memory);
 
-/** Facts about driver and chosen paths as key and value, in a fixed order. */
+/** Facts about driver and chosen paths as key and value, in a fixed order. Caps that nothing drawn
+ *  so far took are found out by drawing: state is expected and left as by sm_renderer_draw(), with
+ *  framebuffer and viewport as they were. */
 typedef void (*sm_fact)(void *data, const char *key, const char *value);
-SM_API void sm_renderer_describe(const struct sm_renderer *renderer, sm_fact fact, void *data);
+SM_API void sm_renderer_describe(struct sm_renderer *renderer, sm_fact fact, void *data);
 
 /* ---------------------------------------------------------------------------------------------
  * Model

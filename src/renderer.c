@@ -2,9 +2,17 @@
 #include "renderer.h"
 #include "accumulator.h"
 #include "base/log.h"
+#include "gles/probe.h"
 #include <stdlib.h>
 
 struct sm_renderer *sm_renderer_create(sm_get_proc get_proc, struct sm_error *error)
+{
+	static const struct sm_driver_options all;
+	return sm_renderer_create_with(get_proc, &all, error);
+}
+
+struct sm_renderer *sm_renderer_create_with(
+	sm_get_proc get_proc, const struct sm_driver_options *options, struct sm_error *error)
 {
 	struct sm_renderer *renderer = calloc(1, sizeof(*renderer));
 	if (renderer == NULL) {
@@ -12,7 +20,7 @@ struct sm_renderer *sm_renderer_create(sm_get_proc get_proc, struct sm_error *er
 		return NULL;
 	}
 	static const struct sm_shadow_options defaults;
-	if (gpu_init(&renderer->gpu, get_proc, error) &&
+	if (gpu_init(&renderer->gpu, get_proc, options, error) &&
 		shadow_set_init(&renderer->shadows, &defaults, &renderer->gpu.caps, error))
 		return renderer;
 	sm_renderer_destroy(renderer);
@@ -61,6 +69,18 @@ const char *sm_technique_summary(size_t index)
 {
 	const struct technique *technique = technique_at(index);
 	return technique != NULL ? technique->summary : NULL;
+}
+
+const char *sm_need_name(size_t index)
+{
+	return need_name(index);
+}
+
+const char *sm_way_name(size_t need, size_t index)
+{
+	const struct driver_way *way =
+		need < DRIVER_NEEDS ? way_at((enum driver_need)need, index) : NULL;
+	return way != NULL ? way->name : NULL;
 }
 
 uint32_t sm_technique_samples(size_t index, size_t choice)
@@ -123,9 +143,11 @@ void sm_renderer_get_memory(
 	memory->geometry += shadow_set_geometry_bytes(&renderer->shadows);
 }
 
-void sm_renderer_describe(const struct sm_renderer *renderer, sm_fact fact, void *data)
+void sm_renderer_describe(struct sm_renderer *renderer, sm_fact fact, void *data)
 {
 	caps_describe(&renderer->gpu.caps, fact, data);
+	probe_describe(&renderer->gpu, fact, data);
+	ways_describe(&renderer->gpu, fact, data);
 	for (size_t i = 0; technique_at(i) != NULL; i++) {
 		char key[64], value[200];
 		size_t used =

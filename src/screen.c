@@ -41,10 +41,10 @@ static bool check_screen(
 	       error_set(error, SM_ERROR_INPUT, "no texture with a picture for the screen");
 }
 
-static uint32_t flags_of(const struct caps *caps, const uint8_t bits[3])
+static uint32_t flags_of(int way, const uint8_t bits[3])
 {
 	uint32_t flags = bits[0] < 8 ? FLAG_DITHER : bits[0] > 8 ? FLAG_WIDEN : 0;
-	return caps->EXT_texture_sRGB_decode ? flags | FLAG_STORED : flags;
+	return way == COPY_STORED ? flags | FLAG_STORED : flags;
 }
 
 static void bind_stored_sampler(struct gpu *gpu)
@@ -60,10 +60,11 @@ static void bind_stored_sampler(struct gpu *gpu)
 	gl->BindSampler(UNIT_BASE, gpu->stored_sampler);
 }
 
-static bool use_program(struct gpu *gpu, const struct sm_screen *screen, struct sm_error *error)
+static bool use_program(
+	struct gpu *gpu, const struct sm_screen *screen, int way, struct sm_error *error)
 {
 	const uint8_t *bits = screen->bits;
-	struct program_key key = {PROGRAM_SCREEN, flags_of(&gpu->caps, bits)};
+	struct program_key key = {PROGRAM_SCREEN, flags_of(way, bits)};
 	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
 	if (program == NULL)
 		return false;
@@ -78,6 +79,7 @@ bool screen_draw(struct gpu *gpu, const struct sm_screen *screen, struct sm_erro
 	struct gl *gl = &gpu->gl;
 	if (!check_screen(&gpu->caps, screen, error))
 		return false;
+	int way = way_choose(gpu, DRIVER_COPY, error);
 	gl->BindFramebuffer(GL_FRAMEBUFFER, screen->framebuffer);
 	if (gl_framebuffer_is_srgb(gl, screen->framebuffer))
 		return error_set(error, SM_ERROR_INPUT,
@@ -86,8 +88,8 @@ bool screen_draw(struct gpu *gpu, const struct sm_screen *screen, struct sm_erro
 	bool turned = screen->rotation % 180 != 0;
 	gl->Viewport(0, 0, (GLsizei)(turned ? screen->height : screen->width),
 		(GLsizei)(turned ? screen->width : screen->height));
-	bool used = use_program(gpu, screen, error);
-	if (used && gpu->caps.EXT_texture_sRGB_decode)
+	bool used = way >= 0 && use_program(gpu, screen, way, error);
+	if (used && way == COPY_STORED)
 		bind_stored_sampler(gpu);
 	if (used) {
 		/* The driver's own dithering is as it pleases. */

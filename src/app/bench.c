@@ -102,7 +102,7 @@ static bool check_driver(void *data, struct sm_error *error)
 	const struct common_options *common = &bench->options->common;
 	struct platform *platform = platform_create(common->device, common->debug, error);
 	struct sm_renderer *renderer =
-		platform != NULL ? sm_renderer_create(platform_get_proc, error) : NULL;
+		platform != NULL ? driver_options_renderer(&bench->options->driver, error) : NULL;
 	bool checked = renderer != NULL && check_techniques(bench, renderer, error);
 	if (checked) {
 		platform_describe(platform, note_fact, bench->board);
@@ -350,6 +350,7 @@ static bool run_paper(
 		.out = options->out,
 		.models = options->models,
 		.device = options->common.device,
+		.driver = driver_options_get(&options->driver),
 		.debug = options->common.debug,
 		.argc = argc,
 		.argv = argv,
@@ -362,23 +363,34 @@ static bool run_paper(
 	return done;
 }
 
-bool bench_run(int argc, char **argv, struct sm_error *error)
+static bool run_results(
+	const struct bench_options *options, int argc, char **argv, struct sm_error *error)
 {
-	struct bench_options options;
-	if (!bench_options_read(&options, argc, argv, error))
-		return false;
-	if (options.common.help) {
-		options_help(&bench_command);
-		return true;
-	}
-	report_set_verbosity(verbosity_of(&options));
-	if (options.stress)
-		return bench_stress(&options, error);
-	if (options.paper)
-		return run_paper(&options, argc, argv, error);
-	struct bench bench = {.options = &options};
+	struct bench bench = {.options = options};
 	bool done = start(&bench, argc, argv, error) && measure_all(&bench, error) &&
 		    conclude(&bench, error);
 	finish(&bench);
+	return done;
+}
+
+static bool run(const struct bench_options *options, int argc, char **argv, struct sm_error *error)
+{
+	if (options->common.help) {
+		options_help(&bench_command);
+		return true;
+	}
+	report_set_verbosity(verbosity_of(options));
+	if (options->stress)
+		return bench_stress(options, error);
+	return options->paper ? run_paper(options, argc, argv, error)
+			      : run_results(options, argc, argv, error);
+}
+
+bool bench_run(int argc, char **argv, struct sm_error *error)
+{
+	struct bench_options options;
+	bool done =
+		bench_options_read(&options, argc, argv, error) && run(&options, argc, argv, error);
+	bench_options_finish(&options);
 	return done;
 }

@@ -148,7 +148,7 @@ static bool with_renderer(struct gallery *gallery, const struct bench_cell *cell
 	struct sm_error *error)
 {
 	struct sm_shadow_options shadow = bench_cell_shadow(cell, technique);
-	struct sm_renderer *renderer = sm_renderer_create(platform_get_proc, error);
+	struct sm_renderer *renderer = driver_options_renderer(&cell->options->driver, error);
 	bool measured = renderer != NULL && sm_renderer_set_shadows(renderer, &shadow, error) &&
 			measure(gallery, renderer, cell, &cell->results[technique], error);
 	sm_renderer_destroy(renderer);

@@ -61,6 +61,7 @@ static bool measure(const struct bench_cell *cell, const struct stage *stage,
 		.shadow = shadow,
 		.count = contender_count(options),
 		.base = base_index(options),
+		.driver = driver_options_get(&options->driver),
 		.rounds = options->rounds,
 		.pass_rounds = threads == THREADS_DEFAULT ? pass_rounds(options) : 0,
 		.progress = count_frame,
@@ -119,6 +120,7 @@ static bool weigh(const struct bench_cell *cell, size_t technique, const struct 
 		.height = cell->options->time_size.height,
 		.shadow = &shadow,
 		.count = 1,
+		.driver = driver_options_get(&cell->options->driver),
 		.rounds = 1,
 	};
 	struct timing timing;

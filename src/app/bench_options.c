@@ -43,6 +43,7 @@ static const struct flag flags[] = {
 	{FLAG_RANDOM, "random", "N", "with --stress: how many random scenes"},
 	{FLAG_PAPER, "paper", NULL, "measure what the papers' own tables hold instead"},
 	{FLAG_MODELS, "models", "DIR", "with --paper: folder of spot.glb and sheen-chair.glb"},
+	DRIVER_FLAGS,
 	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
 };
@@ -234,6 +235,9 @@ static bool read_flag(
 	case FLAG_MODELS:
 		options->models = value;
 		return true;
+	case FLAG_CAPS:
+	case FLAG_PATH:
+		return driver_options_flag(&options->driver, id, value, error);
 	default:
 		options_common(&options->common, id, value);
 		return true;
@@ -358,6 +362,11 @@ bool bench_options_read(
 	if (options->common.help)
 		return true;
 	return check_heeded(options, given, error) && (options->stress || complete(options, error));
+}
+
+void bench_options_finish(struct bench_options *options)
+{
+	driver_options_finish(&options->driver);
 }
 
 const struct command bench_command = {

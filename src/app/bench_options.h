@@ -2,7 +2,7 @@
 #ifndef APP_BENCH_OPTIONS_H
 #define APP_BENCH_OPTIONS_H
 
-#include "app/options.h"
+#include "app/driver_options.h"
 
 #define BENCH_SCENES_MAX 64
 #define BENCH_TECHNIQUES_MAX 64
@@ -23,6 +23,7 @@ struct bench_size {
 /** What to measure: every technique on every scene, at every radius and size of map. */
 struct bench_options {
 	struct common_options common;
+	struct driver_options driver;
 	const char *scenes[BENCH_SCENES_MAX];
 	struct bench_technique techniques[BENCH_TECHNIQUES_MAX];
 	double radii[BENCH_RADII_MAX]; /**< of the light, as shares of its distance */
@@ -45,8 +46,10 @@ struct bench_options {
 /** The run of the command (bench.c). */
 bool bench_run(int argc, char **argv, struct sm_error *error);
 
-/** Reads the command line and fills in the defaults. Fails (INPUT). */
+/** Reads the command line and fills in the defaults. Fails (INPUT); then, too, finish is to be
+ *  called. */
 bool bench_options_read(
 	struct bench_options *options, int argc, char **argv, struct sm_error *error);
+void bench_options_finish(struct bench_options *options);
 
 #endif

@@ -124,8 +124,9 @@ static void note_fact(void *data, const char *key, const char *value)
 static bool describe_driver(const struct paper_part *part, struct sm_error *error)
 {
 	struct platform *platform = paper_open(part, error);
-	struct sm_renderer *renderer =
-		platform != NULL ? sm_renderer_create(platform_get_proc, error) : NULL;
+	struct sm_renderer *renderer = platform != NULL ? sm_renderer_create_with(platform_get_proc,
+								  &part->options->driver, error)
+							: NULL;
 	if (renderer != NULL)
 		sm_renderer_describe(renderer, note_fact, part->result);
 	bool described = renderer != NULL;

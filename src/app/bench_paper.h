@@ -9,6 +9,7 @@ struct paper_options {
 	const char *models; /**< folder of models, some of which stand for the paper's; NULL: each
 				 is generated */
 	const char *device; /**< as platform_create() */
+	struct sm_driver_options driver;
 	bool debug;
 	bool tiny; /**< for tests: a few seconds, and numbers that mean little */
 	int argc;  /**< the command line, to be told */

@@ -42,7 +42,7 @@ static bool look_init(struct look *look, const struct paper_part *part, const ch
 		(look->platform = paper_open(part, error)) == NULL ||
 		!bench_view_init(&look->view, error))
 		return false;
-	look->renderer = sm_renderer_create(platform_get_proc, error);
+	look->renderer = sm_renderer_create_with(platform_get_proc, &part->options->driver, error);
 	return look->renderer != NULL;
 }
 

@@ -129,6 +129,7 @@ static bool time_contenders(const struct paper_part *part, const struct contende
 		.shadow = contenders->shadow,
 		.count = contenders->count,
 		.rounds = rounds,
+		.driver = part->options->driver,
 		.progress = paper_step,
 		.progress_data = (void *)part,
 	};
@@ -236,6 +237,7 @@ static bool time_mesh(const struct paper_part *part, const char *shape, uint32_t
 		.count = 1,
 		.rounds = 1,
 		.pass_rounds = mesh_rounds(part->options),
+		.driver = part->options->driver,
 		.progress = paper_step,
 		.progress_data = (void *)part,
 	};
@@ -313,6 +315,7 @@ static bool time_size(const struct paper_part *part, const struct stage *stage, 
 		.count = COUNT(shadow),
 		.rounds = size_rounds(part->options),
 		.pass_rounds = size_rounds(part->options),
+		.driver = part->options->driver,
 		.progress = paper_step,
 		.progress_data = (void *)part,
 	};

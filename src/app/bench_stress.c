@@ -40,6 +40,7 @@ static bool stress(struct run *run, struct sm_error *error)
 	const struct bench_options *options = run->options;
 	struct stress_options stress = {
 		.get_proc = platform_get_proc,
+		.driver = driver_options_get(&options->driver),
 		.technique = options->technique_count > 0 ? options->techniques[0].technique : NULL,
 		.sweep = options->sweep,
 		.scene = options->scene_count > 0 ? options->scenes[0] : NULL,

@@ -141,7 +141,7 @@ static bool contender_init(struct contender *contender, const struct timing_requ
 	contender->cpu = array_zalloc(request->rounds, sizeof(double));
 	if (contender->wall == NULL || contender->cpu == NULL)
 		return error_no_memory(error);
-	contender->renderer = sm_renderer_create(platform_get_proc, error);
+	contender->renderer = sm_renderer_create_with(platform_get_proc, &request->driver, error);
 	return contender->renderer != NULL &&
 	       sm_renderer_set_shadows(contender->renderer, shadow, error);
 }

@@ -11,7 +11,8 @@ struct timing_request {
 	uint32_t width, height;                 /* pixels */
 	const struct sm_shadow_options *shadow; /* [count] */
 	size_t count;
-	size_t base;          /* the one that ratios are to */
+	size_t base; /* the one that ratios are to */
+	struct sm_driver_options driver;
 	uint32_t rounds;      /* frames of each, 1 or more */
 	uint32_t pass_rounds; /* further frames of each, whose passes are timed; 0: none */
 	/** Hears of every frame; may be NULL. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "app/driver_options.h"
 #include "app/facts.h"
-#include "app/options.h"
 #include "app/report.h"
 #include "load/stage.h"
 #include "platform.h"
@@ -12,12 +12,14 @@ enum {
 
 static const struct flag flags[] = {
 	{FLAG_JSON, "json", NULL, "print one JSON object"},
+	DRIVER_FLAGS,
 	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
 };
 
 struct info_options {
 	struct common_options common;
+	struct driver_options driver;
 	const char *scene; /* NULL: about the driver */
 	bool json;
 };
@@ -30,8 +32,10 @@ static bool read_options(
 	while ((id = options_next(&info_command, argc, argv, error)) >= 0) {
 		if (id == FLAG_JSON)
 			options->json = true;
-		else
+		else if (id != FLAG_CAPS && id != FLAG_PATH)
 			options_common(&options->common, id, optarg);
+		else if (!driver_options_flag(&options->driver, id, optarg, error))
+			return false;
 	}
 	if (id == FLAG_FAILED)
 		return false;
@@ -108,7 +112,7 @@ static bool describe_driver(const struct info_options *options, struct sm_error 
 	struct platform *platform =
 		platform_create(options->common.device, options->common.debug, error);
 	struct sm_renderer *renderer =
-		platform != NULL ? sm_renderer_create(platform_get_proc, error) : NULL;
+		platform != NULL ? driver_options_renderer(&options->driver, error) : NULL;
 	if (renderer != NULL) {
 		facts_begin(&facts, stdout, options->json);
 		facts_add(&facts, "smoothie", sm_version());
@@ -125,15 +129,16 @@ static bool describe_driver(const struct info_options *options, struct sm_error 
 static bool run(int argc, char **argv, struct sm_error *error)
 {
 	struct info_options options;
-	if (!read_options(&options, argc, argv, error))
-		return false;
-	if (options.common.help) {
+	bool done = read_options(&options, argc, argv, error);
+	if (done && options.common.help) {
 		options_help(&info_command);
-		return true;
+	} else if (done) {
+		report_set_verbosity(options.common.debug ? 2 : options.common.verbosity);
+		done = options.scene != NULL ? describe_scene(&options, error)
+					     : describe_driver(&options, error);
 	}
-	report_set_verbosity(options.common.debug ? 2 : options.common.verbosity);
-	return options.scene != NULL ? describe_scene(&options, error)
-				     : describe_driver(&options, error);
+	driver_options_finish(&options.driver);
+	return done;
 }
 
 const struct command info_command = {

@@ -26,6 +26,8 @@ enum {
 	FLAG_FAILED = -2, /**< *error is filled */
 	FLAG_DEVICE = 256,
 	FLAG_DEBUG,
+	FLAG_CAPS, /**< driver_options.h */
+	FLAG_PATH,
 	FLAG_OWN, /**< subcommands count on from here */
 };
 

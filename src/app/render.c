@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "app/driver_options.h"
 #include "app/facts.h"
 #include "app/output.h"
 #include "app/program_store.h"
@@ -38,6 +39,7 @@ static const struct flag flags[] = {
 	{FLAG_FRAMES, "frames", "N", "write N numbered pictures"},
 	{FLAG_FPS, "fps", "F", "frames a second of the scene's time, with --frames; default: 25"},
 	{FLAG_STATS, "stats", NULL, "print times and counts"},
+	DRIVER_FLAGS,
 	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
 };
@@ -45,6 +47,7 @@ static const struct flag flags[] = {
 struct render_options {
 	struct common_options common;
 	struct scene_options scene;
+	struct driver_options driver;
 	char *output;                   /* owned */
 	uint32_t width, height, frames; /* 0: not given */
 	uint32_t rate, rate_divisor;    /* frames a second; rate 0: not given */
@@ -82,6 +85,9 @@ static bool read_flag(
 	case FLAG_MAP:
 	case FLAG_SET:
 		return scene_options_flag(&options->scene, &render_command, id, value, error);
+	case FLAG_CAPS:
+	case FLAG_PATH:
+		return driver_options_flag(&options->driver, id, value, error);
 	case FLAG_VISIBILITY:
 		options->visibility_of = 0;
 		return value == NULL ||
@@ -158,6 +164,7 @@ static bool read_options(
 static void finish_options(struct render_options *options)
 {
 	free(options->output);
+	driver_options_finish(&options->driver);
 	scene_options_finish(&options->scene);
 }
 
@@ -227,7 +234,7 @@ static bool start(
 	if (render->platform == NULL)
 		return false;
 	stopwatch_lap(&render->stopwatch, "open device");
-	render->renderer = sm_renderer_create(platform_get_proc, error);
+	render->renderer = driver_options_renderer(&options->driver, error);
 	if (render->renderer == NULL || !init_target(render, options, error) ||
 		!sm_renderer_set_shadows(render->renderer, &render->stage.shadow, error))
 		return false;

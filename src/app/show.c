@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _GNU_SOURCE /* ppoll() */
+#include "app/driver_options.h"
 #include "app/facts.h"
 #include "app/program_store.h"
 #include "app/report.h"
@@ -48,12 +49,14 @@ static const struct flag flags[] = {
 	SCENE_FLAGS,
 	{FLAG_FRAMES, "frames", "N", "end after N frames; default: run until a signal"},
 	{FLAG_STATS, "stats", NULL, "print counts and times at the end, and on SIGUSR1"},
+	DRIVER_FLAGS,
 	COMMON_FLAGS,
 };
 
 struct show_options {
 	struct common_options common;
 	struct scene_options scene;
+	struct driver_options driver;
 	struct display_options display;
 	uint32_t frames; /* 0: until a signal */
 	bool list, stats;
@@ -123,6 +126,9 @@ static bool read_flag(
 	case FLAG_MAP:
 	case FLAG_SET:
 		return scene_options_flag(&options->scene, &show_command, id, value, error);
+	case FLAG_CAPS:
+	case FLAG_PATH:
+		return driver_options_flag(&options->driver, id, value, error);
 	case FLAG_FRAMES:
 		return options_number(value, 1, INT32_MAX, &options->frames) ||
 		       options_error(error, &show_command,
@@ -227,7 +233,7 @@ static bool make_renderer(struct show *show, struct sm_error *error)
 {
 	if (show->renderer != NULL)
 		return true;
-	show->renderer = sm_renderer_create(platform_get_proc, error);
+	show->renderer = driver_options_renderer(&show->options->driver, error);
 	if (show->renderer == NULL)
 		return false;
 	program_store_init(&show->programs);
@@ -359,6 +365,7 @@ static bool run(int argc, char **argv, struct sm_error *error)
 		done = options.list ? display_list(options.common.device, stdout, error)
 				    : show_scene(&options, error);
 	}
+	driver_options_finish(&options.driver);
 	scene_options_finish(&options.scene);
 	return done;
 }

@@ -199,7 +199,8 @@ bool stress_run(const struct stress_options *options, struct sm_error *error)
 {
 	struct run run = {.options = options, .total = count_steps(options)};
 	bool ok = check_names(options, error) &&
-		  stress_probe_init(&run.probe, options->get_proc, error) && run_all(&run, error);
+		  stress_probe_init(&run.probe, options->get_proc, &options->driver, error) &&
+		  run_all(&run, error);
 	stress_probe_finish(&run.probe);
 	if (ok && run.failures > 0)
 		return error_set(error, SM_ERROR_MACHINE,

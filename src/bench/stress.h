@@ -10,6 +10,7 @@
  *  get_proc. */
 struct stress_options {
 	sm_get_proc get_proc;
+	struct sm_driver_options driver;
 	const char *technique; /* NULL: all */
 	const char *sweep;     /* the only one that is run; NULL: all */
 	const char *scene;     /* a scene file that is checked instead of all else; NULL: none */

@@ -205,12 +205,14 @@ static bool has_extension(const char *name)
 	return false;
 }
 
-bool stress_probe_init(struct stress_probe *probe, sm_get_proc get_proc, struct sm_error *error)
+bool stress_probe_init(struct stress_probe *probe, sm_get_proc get_proc,
+	const struct sm_driver_options *driver, struct sm_error *error)
 {
 	*probe = (struct stress_probe){.floats = has_extension("GL_EXT_color_buffer_float")};
 	real_get_proc = get_proc;
 	edits_missing = false;
-	probe->renderer = sm_renderer_create(probe->floats ? edit_get_proc : get_proc, error);
+	probe->renderer =
+		sm_renderer_create_with(probe->floats ? edit_get_proc : get_proc, driver, error);
 	if (probe->renderer == NULL)
 		return false;
 	const struct sm_pass_observer observer = {

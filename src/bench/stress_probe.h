@@ -58,7 +58,8 @@ struct stress_probe {
 };
 
 /** Needs a current context. Fails (MACHINE, INPUT) on a driver that cannot draw. */
-bool stress_probe_init(struct stress_probe *probe, sm_get_proc get_proc, struct sm_error *error);
+bool stress_probe_init(struct stress_probe *probe, sm_get_proc get_proc,
+	const struct sm_driver_options *driver, struct sm_error *error);
 /** Fine on a failed one. */
 void stress_probe_finish(struct stress_probe *probe);
 

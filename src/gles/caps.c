@@ -1,90 +1,153 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/caps.h"
-#include "base/log.h"
-#include "gles/target.h"
+#include <assert.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-static const struct {
+static_assert(CAP_COUNT <= 32, "sets of caps are words");
+
+/* A cap is an extension or a version's; or else it is found out by a probe (probe.c), which takes
+ * one cap of each set. */
+struct cap_info {
 	const char *name;
-	size_t offset;
-} extensions[] = {
-#define EXTENSION(name)                                  \
-	{                                                \
-		"GL_" #name, offsetof(struct caps, name) \
+	const char *extension; /* NULL: none */
+	int version;           /* that has it without: 10 * major + minor; 0: none */
+	uint32_t any, also;    /* sets of caps; 0: nothing is taken */
+};
+
+#define EXTENSION(text) .name = #text, .extension = "GL_" #text
+#define FLOAT_TARGETS CAP_BIT(COLOR_BUFFER_FLOAT)
+#define HALF_TARGETS (CAP_BIT(COLOR_BUFFER_FLOAT) | CAP_BIT(COLOR_BUFFER_HALF_FLOAT))
+
+static const struct cap_info infos[CAP_COUNT] = {
+	[CAP_COLOR_BUFFER_FLOAT] = {EXTENSION(EXT_color_buffer_float), .version = 32},
+	[CAP_COLOR_BUFFER_HALF_FLOAT] = {EXTENSION(EXT_color_buffer_half_float)},
+	[CAP_FLOAT_BLEND] = {EXTENSION(EXT_float_blend)},
+	[CAP_TEXTURE_FILTER_ANISOTROPIC] = {EXTENSION(EXT_texture_filter_anisotropic)},
+	[CAP_TEXTURE_SRGB_DECODE] = {EXTENSION(EXT_texture_sRGB_decode)},
+	[CAP_KHR_DEBUG] = {EXTENSION(KHR_debug)},
+	[CAP_TEXTURE_FLOAT_LINEAR] = {EXTENSION(OES_texture_float_linear)},
+	[CAP_TEXTURE_GATHER] = {.name = "texture_gather", .version = 31},
+	[CAP_MIN_RG16F] = {.name = "min_rg16f", .any = HALF_TARGETS},
+	[CAP_MIN_RG32F] = {.name = "min_rg32f", .any = FLOAT_TARGETS, .also = CAP_BIT(FLOAT_BLEND)},
+	[CAP_MIN_RGB10_A2] = {.name = "min_rgb10_a2"},
+	[CAP_RENDER_RG32F] = {.name = "render_rg32f", .any = FLOAT_TARGETS},
+	[CAP_RENDER_RG16F] = {.name = "render_rg16f", .any = HALF_TARGETS},
+};
+
+const char *cap_name(size_t index)
+{
+	return index < CAP_COUNT ? infos[index].name : NULL;
+}
+
+void caps_note(struct caps *caps, enum cap cap, bool there, const char *format, ...)
+{
+	struct cap_finding *finding = &caps->found[cap];
+	va_list args;
+	finding->known = true;
+	finding->there = there;
+	va_start(args, format);
+	vsnprintf(finding->why, sizeof(finding->why), format, args);
+	va_end(args);
+}
+
+static bool has_one(const struct caps *caps, uint32_t set)
+{
+	bool there = set == 0;
+	for (size_t i = 0; i < CAP_COUNT; i++)
+		there = there || (set >> i & 1 && caps->found[i].there);
+	return there;
+}
+
+/* "EXT_color_buffer_float or EXT_color_buffer_half_float" */
+static const char *list_set(uint32_t set, char *text, size_t size)
+{
+	size_t used = 0;
+	for (size_t i = 0; i < CAP_COUNT && used < size; i++)
+		if (set >> i & 1)
+			used += (size_t)snprintf(text + used, size - used, "%s%s",
+				used > 0 ? " or " : "", infos[i].name);
+	return text;
+}
+
+bool caps_rule_out(struct caps *caps, enum cap cap)
+{
+	const struct cap_info *info = &infos[cap];
+	char text[80];
+	uint32_t lacking = !has_one(caps, info->any)    ? info->any
+			   : !has_one(caps, info->also) ? info->also
+							: 0;
+	if (caps->found[cap].taken)
+		caps_note(caps, cap, false, "taken away");
+	else if (lacking != 0)
+		caps_note(caps, cap, false, "without %s", list_set(lacking, text, sizeof(text)));
+	return caps->found[cap].known;
+}
+
+/* "-name" or "+name", `length` characters. */
+static bool override_one(struct caps *caps, const char *item, size_t length, struct sm_error *error)
+{
+	char names[400];
+	size_t used = 0;
+	if (length == 0 || (item[0] != '-' && item[0] != '+'))
+		return error_set(error, SM_ERROR_INPUT,
+			"caps \"%.*s\": a list such as -name,+name is wanted",
+			(int)(length < 40 ? length : 40), item);
+	for (size_t i = 0; i < CAP_COUNT; i++) {
+		if (strlen(infos[i].name) == length - 1 &&
+			strncmp(infos[i].name, item + 1, length - 1) == 0) {
+			caps->found[i].taken = item[0] == '-';
+			return true;
+		}
+		used += (size_t)snprintf(names + used, sizeof(names) - used, " %s", infos[i].name);
 	}
-	EXTENSION(EXT_color_buffer_float),
-	EXTENSION(EXT_color_buffer_half_float),
-	EXTENSION(EXT_float_blend),
-	EXTENSION(EXT_texture_filter_anisotropic),
-	EXTENSION(EXT_texture_sRGB_decode),
-	EXTENSION(KHR_debug),
-	EXTENSION(OES_texture_float_linear),
-#undef EXTENSION
-};
+	return error_set(error, SM_ERROR_INPUT, "no cap \"%.*s\"; there are:%s",
+		(int)(length < 41 ? length - 1 : 40), item + 1, names);
+}
 
-#define EXTENSION_COUNT (sizeof(extensions) / sizeof(extensions[0]))
+static bool override(struct caps *caps, const char *list, struct sm_error *error)
+{
+	for (size_t length; list != NULL; list = list[length] == ',' ? list + length + 1 : NULL) {
+		length = strcspn(list, ",");
+		if (!override_one(caps, list, length, error))
+			return false;
+	}
+	return true;
+}
 
-/* Best first. RG16F: 11 bits at any scale; embedded GPUs blend it (V3D blends no wider float).
- * RGB10_A2 is core ES 3.0: 10 bits of depth over the light's range, 10 of alpha. */
-static const struct color_format smoothie_formats[] = {
-	{"RG16F", GL_RG16F},
-	{"RGB10_A2", GL_RGB10_A2},
-};
-
-/* Best first. The square of a depth takes twice its digits: 16 bits tell no two depths apart that
- * are nearer than a hundredth of the light's range. */
-static const struct color_format moment_formats[] = {
-	{"RG32F", GL_RG32F},
-	{"RG16F", GL_RG16F},
-};
-
-static void find_extensions(struct caps *caps, struct gl *gl)
+static bool is_listed(struct gl *gl, const char *extension)
 {
 	GLint count = 0;
 	gl->GetIntegerv(GL_NUM_EXTENSIONS, &count);
 	for (GLint i = 0; i < count; i++) {
 		const char *name = (const char *)gl->GetStringi(GL_EXTENSIONS, (GLuint)i);
-		for (size_t j = 0; name != NULL && j < EXTENSION_COUNT; j++)
-			if (strcmp(name, extensions[j].name) == 0)
-				*(bool *)((char *)caps + extensions[j].offset) = true;
+		if (name != NULL && strcmp(name, extension) == 0)
+			return true;
+	}
+	return false;
+}
+
+/* What is known without drawing. */
+static void find_said(struct caps *caps, struct gl *gl)
+{
+	for (enum cap cap = 0; cap < CAP_COUNT; cap++) {
+		const struct cap_info *info = &infos[cap];
+		bool versioned = info->version > 0;
+		if (caps->found[cap].taken)
+			caps_note(caps, cap, false, "taken away");
+		else if (info->extension != NULL && is_listed(gl, info->extension))
+			caps_note(caps, cap, true, "extension");
+		else if (versioned && 10 * caps->major + caps->minor >= info->version)
+			caps_note(caps, cap, true, "OpenGL ES %d.%d", caps->major, caps->minor);
+		else if (info->extension != NULL)
+			caps_note(caps, cap, false, "no such extension");
+		else if (versioned)
+			caps_note(caps, cap, false, "OpenGL ES %d.%d", caps->major, caps->minor);
 	}
 }
 
-/* The first of the formats that can be rendered to; NULL if none can. */
-static const struct color_format *find_format(
-	struct gl *gl, const struct color_format *formats, size_t count)
-{
-	for (size_t i = 0; i < count; i++) {
-		struct target target;
-		bool complete = target_init(
-			&target, gl, 1, formats[i].internal_format, GL_COLOR_ATTACHMENT0, NULL);
-		target_finish(&target, gl);
-		if (complete)
-			return &formats[i];
-		log_info("%s cannot be rendered to", formats[i].name);
-	}
-	return NULL;
-}
-
-#define FIND_FORMAT(gl, formats) find_format(gl, formats, sizeof(formats) / sizeof((formats)[0]))
-
-static bool find_formats(struct caps *caps, struct gl *gl, struct sm_error *error)
-{
-	const struct color_format *smoothie = FIND_FORMAT(gl, smoothie_formats);
-	const struct color_format *moments = FIND_FORMAT(gl, moment_formats);
-	if (smoothie == NULL)
-		return error_set(error, SM_ERROR_MACHINE,
-			"%s renders to neither RG16F nor RGB10_A2", caps->renderer);
-	caps->smoothie_format = *smoothie;
-	if (moments != NULL)
-		caps->moment_format = *moments;
-	caps->moments_filtered =
-		caps->OES_texture_float_linear || caps->moment_format.internal_format == GL_RG16F;
-	return true;
-}
-
-bool caps_init(struct caps *caps, struct gl *gl, struct sm_error *error)
+bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_error *error)
 {
 	*caps = (struct caps){
 		.renderer = (const char *)gl->GetString(GL_RENDERER),
@@ -98,12 +161,13 @@ bool caps_init(struct caps *caps, struct gl *gl, struct sm_error *error)
 		caps->major < 3)
 		return error_set(error, SM_ERROR_MACHINE,
 			"OpenGL ES 3.0 or later is needed; the driver offers %s", caps->version);
-	caps->texture_gather = caps->major > 3 || caps->minor >= 1;
 	gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &caps->max_texture_size);
 	gl->GetIntegerv(GL_MAX_VIEWPORT_DIMS, caps->max_viewport);
 	gl->GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &caps->program_binary_formats);
-	find_extensions(caps, gl);
-	return find_formats(caps, gl, error);
+	if (!override(caps, list, error))
+		return false;
+	find_said(caps, gl);
+	return true;
 }
 
 void caps_describe(const struct caps *caps, sm_fact fact, void *data)
@@ -117,21 +181,6 @@ void caps_describe(const struct caps *caps, sm_fact fact, void *data)
 	fact(data, "max texture size", text);
 	snprintf(text, sizeof(text), "%dx%d", caps->max_viewport[0], caps->max_viewport[1]);
 	fact(data, "max viewport", text);
-	for (size_t i = 0; i < EXTENSION_COUNT; i++) {
-		bool there = *(const bool *)((const char *)caps + extensions[i].offset);
-		fact(data, extensions[i].name, there ? "yes" : "no");
-	}
-	fact(data, "shadow map", "DEPTH_COMPONENT24, compared by sampler2DShadow");
-	fact(data, "four texels", caps->texture_gather ? "textureGather" : "four fetches");
-	fact(data, "linear depth", "from the depth texture, by near and far");
-	snprintf(text, sizeof(text), "MIN blend in %s", caps->smoothie_format.name);
-	fact(data, "smoothie buffer", text);
-	if (caps->moment_format.name != NULL)
-		snprintf(text, sizeof(text), "%s, %s", caps->moment_format.name,
-			caps->moments_filtered ? "filtered" : "four fetches");
-	fact(data, "moments of depth", caps->moment_format.name != NULL ? text : "none: no vsm");
-	fact(data, "copy to a screen",
-		caps->EXT_texture_sRGB_decode ? "as stored" : "decoded and encoded again");
 	fact(data, "compiled programs",
 		caps->program_binary_formats > 0 ? "can be kept" : "cannot be kept");
 }

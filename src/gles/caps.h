@@ -4,37 +4,58 @@
 
 #include "gles/gl.h"
 
-/** A colour format that blended values can be kept in. */
-struct color_format {
-	const char *name;
-	GLenum internal_format;
+/** What a driver may be able to do; caps.c has their names, and what each takes. */
+enum cap {
+	CAP_COLOR_BUFFER_FLOAT,
+	CAP_COLOR_BUFFER_HALF_FLOAT,
+	CAP_FLOAT_BLEND,
+	CAP_TEXTURE_FILTER_ANISOTROPIC,
+	CAP_TEXTURE_SRGB_DECODE,
+	CAP_KHR_DEBUG,
+	CAP_TEXTURE_FLOAT_LINEAR,
+	CAP_TEXTURE_GATHER,
+	CAP_MIN_RG16F,
+	CAP_MIN_RG32F,
+	CAP_MIN_RGB10_A2,
+	CAP_RENDER_RG32F,
+	CAP_RENDER_RG16F,
+	CAP_COUNT,
 };
 
-/** What the driver can do, and which way each need is met: the one place where that is chosen. */
+/** A set of caps. */
+#define CAP_BIT(name) (UINT32_C(1) << CAP_##name)
+
+/** Whether the driver has a cap, as far as that is known. */
+struct cap_finding {
+	bool known, there;
+	bool taken; /* away by the caller: then it is not there */
+	char why[96];
+};
+
+/** What the driver says of itself, and what was found out of it. */
 struct caps {
 	const char *renderer, *vendor, *version, *shading_language; /* owned by the context */
 	int major, minor;
 	GLint max_texture_size, max_viewport[2];
-	GLint program_binary_formats;     /* may be 0 */
-	bool texture_gather;              /* core in 3.1 */
-	bool EXT_color_buffer_float;      /* RG32F, RG16F and the like as targets */
-	bool EXT_color_buffer_half_float; /* RG16F as a target */
-	bool EXT_float_blend;
-	bool EXT_texture_filter_anisotropic;
-	bool EXT_texture_sRGB_decode;
-	bool KHR_debug;
-	bool OES_texture_float_linear; /* RG32F can be filtered */
-	/** For the smoothie buffer: two channels, MIN-blended. */
-	struct color_format smoothie_format;
-	/** For the moments of depth: two channels of float. No name where there is none. */
-	struct color_format moment_format;
-	bool moments_filtered; /* by the sampler */
+	GLint program_binary_formats; /* may be 0 */
+	struct cap_finding found[CAP_COUNT];
 };
 
-/** Reads version and extensions and probes the formats. Fails (MACHINE) below OpenGL ES 3.0. */
-bool caps_init(struct caps *caps, struct gl *gl, struct sm_error *error);
+/** Reads version and extensions; takes away what `list` says, as sm_driver_options.caps. Fails
+ *  (MACHINE) below OpenGL ES 3.0, (INPUT) on a list that cannot be read. */
+bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_error *error);
 
-/** As sm_renderer_describe(). */
+/** NULL past the last. */
+const char *cap_name(size_t index);
+
+/** Notes that a cap is there, or is not, and why. */
+void caps_note(struct caps *caps, enum cap cap, bool there, const char *format, ...)
+	PRINTF_LIKE(4, 5);
+
+/** Whether it is known without drawing that a cap is not there; notes it. */
+bool caps_rule_out(struct caps *caps, enum cap cap);
+
+/** Facts of the driver itself, as sm_renderer_describe(). */
 void caps_describe(const struct caps *caps, sm_fact fact, void *data);
 
 #endif

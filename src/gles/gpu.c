@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/gpu.h"
 #include "base/array.h"
+#include "gles/probe.h"
 #include <assert.h>
 #include <stdlib.h>
 
-bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, struct sm_error *error)
+bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, const struct sm_driver_options *options,
+	struct sm_error *error)
 {
 	*gpu = (struct gpu){0};
-	if (!gl_load(&gpu->gl, get_proc, error) || !caps_init(&gpu->caps, &gpu->gl, error))
+	if (!gl_load(&gpu->gl, get_proc, error) ||
+		!caps_init(&gpu->caps, &gpu->gl, options->caps, error))
 		return false;
-	if (gpu->caps.KHR_debug)
+	if (gpu_has(gpu, CAP_KHR_DEBUG))
 		gl_load_debug(&gpu->gl, get_proc);
-	return true;
+	return ways_force(gpu, options->paths, options->path_count, error);
 }
 
 void gpu_finish(struct gpu *gpu)

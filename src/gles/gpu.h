@@ -2,16 +2,17 @@
 #ifndef GLES_GPU_H
 #define GLES_GPU_H
 
-#include "gles/caps.h"
 #include "gles/gpu_scene.h"
 #include "gles/program.h"
 #include "gles/texture_unit.h"
+#include "gles/way.h"
 
 /** What every pass works with: the context's functions and abilities, programs, the scene's
  *  geometry, and the counters of the frame. */
 struct gpu {
 	struct gl gl;
 	struct caps caps;
+	struct ways ways;
 	struct program_cache programs;
 	struct gpu_scene scene;
 	GLuint quad_indices; /* 0 1 2, 0 2 3 for each quad */
@@ -20,7 +21,9 @@ struct gpu {
 	struct sm_frame_stats stats;
 };
 
-bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, struct sm_error *error);
+/** Fails as sm_renderer_create_with(). */
+bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, const struct sm_driver_options *options,
+	struct sm_error *error);
 /** Fine on a half-made one. */
 void gpu_finish(struct gpu *gpu);
 

@@ -15,7 +15,10 @@ static bool pcf_init(void *state, struct gpu *gpu, const struct sm_shadow_option
 {
 	struct pcf *pcf = state;
 	bool bicubic = options->samples == BICUBIC_SAMPLES;
-	uint32_t gather = gpu->caps.texture_gather ? FLAG_GATHER : 0;
+	int taps = way_choose(gpu, DRIVER_TAPS, error);
+	if (taps < 0)
+		return false;
+	uint32_t gather = taps == TAPS_GATHER ? FLAG_GATHER : 0;
 	pcf->surface_flags = bicubic ? FLAG_BICUBIC | gather : FLAG_HARD;
 	return depth_map_init(&pcf->map, gpu, options->map_size, DEPTH_MAP_LINEAR, error);
 }

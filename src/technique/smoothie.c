@@ -27,18 +27,22 @@ bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
 {
 	struct gl *gl = &gpu->gl;
 	GLsizei size = (GLsizei)options->map_size;
+	int taps = way_choose(gpu, DRIVER_TAPS, error);
+	int way = way_choose(gpu, DRIVER_SMOOTHIE, error);
+	if (taps < 0 || way < 0)
+		return false;
 	smoothie->shape = *shape;
 	smoothie->fin_flags =
 		fin_flags | (options->falloff == SM_FALLOFF_SINUSOID ? FLAG_SINUSOID : 0);
 	smoothie->two_passes = options->passes == 2;
 	smoothie->surface_flags = FLAG_SMOOTHIE | (smoothie->two_passes ? FLAG_SEPARATE_DEPTH : 0) |
-				  (gpu->caps.texture_gather ? FLAG_GATHER : 0);
+				  (taps == TAPS_GATHER ? FLAG_GATHER : 0);
 	fin_stream_init(&smoothie->fins, gpu);
 	if (options->falloff == SM_FALLOFF_SINUSOID && !(fin_flags & FLAG_CONE))
 		make_falloff(smoothie, gl);
 	if (!depth_map_init(&smoothie->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
-		!target_init(&smoothie->buffer, gl, size, gpu->caps.smoothie_format.internal_format,
-			GL_COLOR_ATTACHMENT0, error))
+		!target_init(&smoothie->buffer, gl, size,
+			way_at(DRIVER_SMOOTHIE, (size_t)way)->format, GL_COLOR_ATTACHMENT0, error))
 		return false;
 	return !smoothie->two_passes || target_init(&smoothie->depth, gl, size,
 						GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error);

@@ -24,7 +24,10 @@ static bool two_sided_init(void *state, struct gpu *gpu, const struct sm_shadow_
 	struct two_sided *two_sided = state;
 	struct gl *gl = &gpu->gl;
 	GLsizei size = (GLsizei)options->map_size;
-	two_sided->surface_flags = FLAG_TWO_SIDED | (gpu->caps.texture_gather ? FLAG_GATHER : 0);
+	int taps = way_choose(gpu, DRIVER_TAPS, error);
+	if (taps < 0)
+		return false;
+	two_sided->surface_flags = FLAG_TWO_SIDED | (taps == TAPS_GATHER ? FLAG_GATHER : 0);
 	fin_stream_init(&two_sided->fins, gpu);
 	if (!depth_map_init(&two_sided->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
 		!target_init(&two_sided->nearness, gl, size, GL_DEPTH_COMPONENT24,

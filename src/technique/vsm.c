@@ -21,21 +21,20 @@ static bool vsm_init(void *state, struct gpu *gpu, const struct sm_shadow_option
 {
 	struct vsm *vsm = state;
 	struct gl *gl = &gpu->gl;
-	GLenum format = gpu->caps.moment_format.internal_format;
 	GLsizei size = (GLsizei)options->map_size;
-	if (gpu->caps.moment_format.name == NULL)
-		return error_set(error, SM_ERROR_MACHINE,
-			"the technique \"vsm\" needs a target of floats, RG32F or RG16F; %s has "
-			"neither",
-			gpu->caps.renderer);
+	int way = way_choose(gpu, DRIVER_MOMENTS, error);
+	if (way < 0)
+		return false;
+	GLenum format = way_at(DRIVER_MOMENTS, (size_t)way)->format;
+	bool filtered = way == MOMENTS_RG32F || way == MOMENTS_RG16F;
 	vsm->blur_radius = (GLint)options->samples / 2;
 	vsm->min_variance = format == GL_RG32F ? MIN_VARIANCE_32F : MIN_VARIANCE_16F;
-	vsm->surface_flags = FLAG_VSM | (gpu->caps.moments_filtered ? 0 : FLAG_FOUR_FETCHES);
+	vsm->surface_flags = FLAG_VSM | (filtered ? 0 : FLAG_FOUR_FETCHES);
 	if (!depth_map_init(&vsm->map, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
 		!target_init(&vsm->rows, gl, size, format, GL_COLOR_ATTACHMENT0, error) ||
 		!target_init(&vsm->moments, gl, size, format, GL_COLOR_ATTACHMENT0, error))
 		return false;
-	if (gpu->caps.moments_filtered) {
+	if (filtered) {
 		gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 		gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 	}

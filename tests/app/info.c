@@ -17,6 +17,24 @@ static void test_driver(void **state)
 	outcome_finish(&outcome);
 }
 
+static void test_caps_taken_away_and_given_back(void **state)
+{
+	(void)state;
+	static const char *const away[] = {"\ncap min_rg16f: no: taken away\n",
+		"\ncap min_rg32f: no: without EXT_float_blend\n", "\nneed smoothie: rgb10_a2 (",
+		"; rg16f was not taken because min_rg16f: taken away"};
+	static const char *const back[] = {"\ncap min_rg16f: yes: ", "\nneed smoothie: rg16f (",
+		"\nneed taps: fetch, forced ("};
+	struct outcome outcome =
+		RUN("info", "--device", "surfaceless", "--caps", "-min_rg16f,-EXT_float_blend");
+	ASSERT_LINES(&outcome, away);
+	outcome_finish(&outcome);
+	outcome = RUN("info", "--device", "surfaceless", "--caps", "-min_rg16f", "--path",
+		"taps=fetch", "--caps", "+min_rg16f");
+	ASSERT_LINES(&outcome, back);
+	outcome_finish(&outcome);
+}
+
 /* Three boxes of 12 triangles, 8 corners and 18 edges each. */
 static void test_scene(void **state)
 {
@@ -47,6 +65,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_driver),
+		cmocka_unit_test(test_caps_taken_away_and_given_back),
 		cmocka_unit_test(test_scene),
 		cmocka_unit_test(test_json_has_numbers_for_numbers),
 	};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* sm_renderer_set_shadows(): what it takes, and what it says to the rest. */
+#include "platform.h"
 #include "rig.h"
 #include <GLES3/gl3.h>
 #include <math.h>
@@ -106,9 +107,58 @@ static void precisions_have_names(void **state)
 	assert_null(sm_precision_name(SIZE_MAX));
 }
 
+static void needs_and_their_ways_have_names(void **state)
+{
+	struct rig *rig = *state;
+	size_t need = 0;
+	assert_string_equal(sm_need_name(0), "smoothie");
+	for (; sm_need_name(need) != NULL; need++) {
+		size_t way = 0;
+		for (; sm_way_name(need, way) != NULL; way++)
+			;
+		assert_true(way > 1);
+		assert_null(sm_way_name(need, SIZE_MAX));
+	}
+	assert_null(sm_way_name(need, 0));
+	assert_null(sm_need_name(SIZE_MAX));
+	/* As sm_renderer_create(). */
+	rig_use_driver(rig, &(struct sm_driver_options){0});
+}
+
+static void bad_driver_options_are_refused_with_a_reason(void **state)
+{
+	static const struct {
+		enum sm_status status;
+		const char *caps, *path, *text;
+	} cases[] = {
+		{SM_ERROR_INPUT, "-warp", NULL,
+			"no cap \"warp\"; there are: EXT_color_buffer_float "},
+		{SM_ERROR_INPUT, "", NULL, "caps \"\": a list"},
+		{SM_ERROR_INPUT, "-", NULL, "no cap \"\""},
+		{SM_ERROR_INPUT, "-min_rg16f,,", NULL, "caps \"\": a list"},
+		{SM_ERROR_INPUT, NULL, "smoothie", "path \"smoothie\": NEED=WAY"},
+		{SM_ERROR_INPUT, NULL, "=rg16f", "no need \"\"; there are: smoothie, "},
+		{SM_ERROR_INPUT, NULL,
+			"taps=", "no way \"\" of the need taps; there are: gather, "},
+		{SM_ERROR_MACHINE, "-texture_gather", "taps=gather",
+			"takes texture_gather, which "},
+	};
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct sm_error error = {0};
+		struct sm_driver_options options = {
+			cases[i].caps, &cases[i].path, cases[i].path != NULL};
+		assert_null(sm_renderer_create_with(platform_get_proc, &options, &error));
+		assert_int_equal(error.status, cases[i].status);
+		if (strstr(error.text, cases[i].text) == NULL)
+			fail_msg("\"%s\" says nothing of \"%s\"", error.text, cases[i].text);
+		assert_true(strlen(error.text) < sizeof(error.text) - 1); /* nothing is cut off */
+	}
+}
+
 struct facts {
 	int count;
-	bool renderer, smoothie_buffer;
+	bool renderer, cap, need;
 };
 
 static void note_fact(void *data, const char *key, const char *value)
@@ -117,8 +167,9 @@ static void note_fact(void *data, const char *key, const char *value)
 	assert_true(strlen(key) > 0 && strlen(value) > 0);
 	facts->count++;
 	facts->renderer |= strcmp(key, "renderer") == 0;
-	facts->smoothie_buffer |=
-		strcmp(key, "smoothie buffer") == 0 && strstr(value, "MIN blend in ") != NULL;
+	facts->cap |= strcmp(key, "cap min_rgb10_a2") == 0 && strncmp(value, "yes: ", 5) == 0;
+	facts->need |=
+		strcmp(key, "need smoothie") == 0 && strstr(value, "MIN blending in ") != NULL;
 }
 
 static void the_renderer_describes_itself(void **state)
@@ -127,7 +178,7 @@ static void the_renderer_describes_itself(void **state)
 	struct facts first = {0}, second = {0};
 	sm_renderer_describe(rig->renderer, note_fact, &first);
 	sm_renderer_describe(rig->renderer, note_fact, &second);
-	assert_true(first.renderer && first.smoothie_buffer);
+	assert_true(first.renderer && first.cap && first.need);
 	assert_int_equal(first.count, second.count);
 }
 
@@ -138,6 +189,8 @@ int main(void)
 		rig_test(bad_options_are_refused_with_a_reason),
 		rig_test(techniques_have_names_and_summaries_the_default_first),
 		cmocka_unit_test(precisions_have_names),
+		rig_test(needs_and_their_ways_have_names),
+		rig_test(bad_driver_options_are_refused_with_a_reason),
 		rig_test(the_renderer_describes_itself),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Copies of a picture to screens: which pixel goes where, and as which value. */
 #include "canvas.h"
-#include "renderer.h"
 #include "rig.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -178,7 +177,7 @@ static void pictures_come_through_turned_and_rounded_exactly(void **state)
 static void so_they_do_decoded_and_encoded_again(void **state)
 {
 	struct rig *rig = *state;
-	rig->renderer->gpu.caps.EXT_texture_sRGB_decode = false;
+	rig_use_driver(rig, &(struct sm_driver_options){.caps = "-EXT_texture_sRGB_decode"});
 	check_all_screens(rig);
 }
 

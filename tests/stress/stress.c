@@ -18,13 +18,14 @@
 
 static struct platform *platform;
 static struct stress_probe probe;
+static const struct sm_driver_options all;
 
 static int open_probe(void **state)
 {
 	struct sm_error error;
 	(void)state;
 	platform = platform_create("surfaceless", true, &error);
-	if (platform == NULL || !stress_probe_init(&probe, platform_get_proc, &error))
+	if (platform == NULL || !stress_probe_init(&probe, platform_get_proc, &all, &error))
 		fail_msg("%s", error.text);
 	return 0;
 }

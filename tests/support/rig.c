@@ -49,6 +49,29 @@ int rig_teardown(void **state)
 	return problems > 0 ? -1 : 0;
 }
 
+void rig_use_driver(struct rig *rig, const struct sm_driver_options *options)
+{
+	struct sm_error error;
+	sm_renderer_destroy(rig->renderer);
+	rig->renderer = sm_renderer_create_with(platform_get_proc, options, &error);
+	if (rig->renderer == NULL)
+		fail_msg("%s", error.text);
+}
+
+void rig_use_path(struct rig *rig, const char *path)
+{
+	struct sm_error error;
+	struct sm_driver_options options = {.paths = &path, .path_count = 1};
+	sm_renderer_destroy(rig->renderer);
+	rig->renderer = sm_renderer_create_with(platform_get_proc, &options, &error);
+	if (rig->renderer != NULL)
+		return;
+	if (error.status != SM_ERROR_MACHINE)
+		fail_msg("%s", error.text);
+	print_message("%s\n", error.text);
+	skip();
+}
+
 void rig_set_shadows(struct rig *rig, const struct sm_shadow_options *options)
 {
 	struct sm_error error;

@@ -18,6 +18,11 @@ int rig_setup(void **state);
 int rig_teardown(void **state);
 #define rig_test(test) cmocka_unit_test_setup_teardown(test, rig_setup, rig_teardown)
 
+/** Makes the rig's renderer anew; one that cannot be made fails the test. */
+void rig_use_driver(struct rig *rig, const struct sm_driver_options *options);
+/** The same with one path forced; skips the test where the driver cannot. */
+void rig_use_path(struct rig *rig, const char *path);
+
 /** The functions of smoothie.h, failing the test with their error's text. */
 void rig_set_shadows(struct rig *rig, const struct sm_shadow_options *options);
 void rig_draw(struct rig *rig, const struct sm_scene *scene, const struct sm_view *view);

@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: MIT */
+#include "gles/way.h"
+#include "base/log.h"
+#include "gles/probe.h"
+#include <stdio.h>
+#include <string.h>
+
+#define WAYS_MAX 7
+
+/* Best first. */
+static const struct {
+	const char *name;
+	const char *what;
+	struct driver_way ways[WAYS_MAX]; /* up to one without a name */
+} needs[DRIVER_NEEDS] = {
+	/* RG16F: 11 bits at any scale; embedded GPUs blend it, and no wider float. RGB10_A2 is core
+	 * OpenGL ES 3.0: 10 bits of depth over the light's range, 10 of alpha. */
+	[DRIVER_SMOOTHIE] =
+		{
+			.name = "smoothie",
+			.what = "a smoothie buffer",
+			.ways =
+				{
+					[SMOOTHIE_RG16F] = {"rg16f", "MIN blending in RG16F",
+						CAP_BIT(MIN_RG16F), GL_RG16F},
+					[SMOOTHIE_RG32F] = {"rg32f", "MIN blending in RG32F",
+						CAP_BIT(MIN_RG32F), GL_RG32F},
+					[SMOOTHIE_RGB10_A2] = {"rgb10_a2",
+						"MIN blending in RGB10_A2", CAP_BIT(MIN_RGB10_A2),
+						GL_RGB10_A2},
+				},
+		},
+	[DRIVER_TAPS] =
+		{
+			.name = "taps",
+			.what = "four texels apart",
+			.ways =
+				{
+					[TAPS_GATHER] = {"gather", "textureGather",
+						CAP_BIT(TEXTURE_GATHER), 0},
+					[TAPS_FETCH] = {"fetch", "four fetches", 0, 0},
+				},
+		},
+	/* The square of a depth takes twice its digits: 16 bits tell no two depths apart that are
+	 * nearer than a hundredth of the light's range. */
+	[DRIVER_MOMENTS] =
+		{
+			.name = "moments",
+			.what = "the moments of depth of vsm",
+			.ways =
+				{
+					[MOMENTS_RG32F] = {"rg32f", "RG32F, filtered",
+						CAP_BIT(RENDER_RG32F) |
+							CAP_BIT(TEXTURE_FLOAT_LINEAR),
+						GL_RG32F},
+					[MOMENTS_RG32F_FETCH] = {"rg32f-fetch",
+						"RG32F, four fetches", CAP_BIT(RENDER_RG32F),
+						GL_RG32F},
+					[MOMENTS_RG16F] = {"rg16f", "RG16F, filtered",
+						CAP_BIT(RENDER_RG16F), GL_RG16F},
+					[MOMENTS_RG16F_FETCH] = {"rg16f-fetch",
+						"RG16F, four fetches", CAP_BIT(RENDER_RG16F),
+						GL_RG16F},
+				},
+		},
+	[DRIVER_COPY] =
+		{
+			.name = "copy",
+			.what = "a copy to a screen",
+			.ways =
+				{
+					[COPY_STORED] = {"stored", "as stored",
+						CAP_BIT(TEXTURE_SRGB_DECODE), 0},
+					[COPY_ENCODE] = {"encode", "decoded and encoded again", 0,
+						0},
+				},
+		},
+};
+
+const char *need_name(size_t index)
+{
+	return index < DRIVER_NEEDS ? needs[index].name : NULL;
+}
+
+const struct driver_way *way_at(enum driver_need need, size_t index)
+{
+	if (need >= DRIVER_NEEDS || index >= WAYS_MAX || needs[need].ways[index].name == NULL)
+		return NULL;
+	return &needs[need].ways[index];
+}
+
+/* The first cap that the way takes and the driver lacks; CAP_COUNT: none. */
+static enum cap lacking_cap(struct gpu *gpu, const struct driver_way *way)
+{
+	enum cap cap = 0;
+	while (cap < CAP_COUNT && (!(way->caps >> cap & 1) || gpu_has(gpu, cap)))
+		cap++;
+	return cap;
+}
+
+static bool refuse_need(const char *path, size_t length, struct sm_error *error)
+{
+	char names[200];
+	size_t used = 0;
+	for (size_t i = 0; need_name(i) != NULL; i++)
+		used += (size_t)snprintf(names + used, sizeof(names) - used, "%s%s",
+			i > 0 ? ", " : "", need_name(i));
+	return error_set(error, SM_ERROR_INPUT, "no need \"%.*s\"; there are: %s",
+		(int)(length < 40 ? length : 40), path, names);
+}
+
+static bool refuse_way(enum driver_need need, const char *name, struct sm_error *error)
+{
+	char names[200];
+	size_t used = 0;
+	const struct driver_way *way;
+	for (size_t i = 0; (way = way_at(need, i)) != NULL; i++)
+		used += (size_t)snprintf(
+			names + used, sizeof(names) - used, "%s%s", i > 0 ? ", " : "", way->name);
+	return error_set(error, SM_ERROR_INPUT, "no way \"%.40s\" of the need %s; there are: %s",
+		name, needs[need].name, names);
+}
+
+static bool force(struct gpu *gpu, const char *path, struct sm_error *error)
+{
+	size_t length = strcspn(path, "="), index = 0;
+	enum driver_need need = 0;
+	const struct driver_way *way;
+	if (path[length] == '\0')
+		return error_set(error, SM_ERROR_INPUT,
+			"path \"%.40s\": NEED=WAY is wanted, such as smoothie=rgb10_a2", path);
+	while (need < DRIVER_NEEDS && (strlen(needs[need].name) != length ||
+					      strncmp(needs[need].name, path, length) != 0))
+		need++;
+	if (need == DRIVER_NEEDS)
+		return refuse_need(path, length, error);
+	while ((way = way_at(need, index)) != NULL && strcmp(way->name, path + length + 1) != 0)
+		index++;
+	if (way == NULL)
+		return refuse_way(need, path + length + 1, error);
+	enum cap cap = lacking_cap(gpu, way);
+	if (cap != CAP_COUNT)
+		return error_set(error, SM_ERROR_MACHINE, "the path %.60s takes %s, which %s (%s)",
+			path, cap_name(cap),
+			gpu->caps.found[cap].taken ? "was taken away" : "the driver lacks",
+			gpu->caps.found[cap].why);
+	gpu->ways.forced[need] = (uint8_t)(index + 1);
+	return true;
+}
+
+bool ways_force(
+	struct gpu *gpu, const char *const *paths, size_t path_count, struct sm_error *error)
+{
+	for (size_t i = 0; i < path_count; i++)
+		if (!force(gpu, paths[i], error))
+			return false;
+	return true;
+}
+
+static int choose(struct gpu *gpu, enum driver_need need)
+{
+	const struct driver_way *way;
+	if (gpu->ways.forced[need] != 0)
+		return gpu->ways.forced[need];
+	for (size_t i = 0; (way = way_at(need, i)) != NULL; i++) {
+		enum cap cap = lacking_cap(gpu, way);
+		if (cap == CAP_COUNT)
+			return (int)i + 1;
+		log_info("%s: not by %s, for want of %s", needs[need].what, way->summary,
+			cap_name(cap));
+	}
+	return 0;
+}
+
+int way_choose(struct gpu *gpu, enum driver_need need, struct sm_error *error)
+{
+	if (gpu->ways.chosen[need] == 0)
+		gpu->ways.chosen[need] = (uint8_t)choose(gpu, need);
+	if (gpu->ways.chosen[need] == 0)
+		error_set(error, SM_ERROR_MACHINE, "%s has no way to have %s; see smoothie info",
+			gpu->caps.renderer, needs[need].what);
+	return gpu->ways.chosen[need] - 1;
+}
+
+/* "MIN blending in RGB10_A2 (rgb10_a2); not rg16f: min_rg16f is taken away" */
+static void describe(struct gpu *gpu, enum driver_need need, char *text, size_t size)
+{
+	int index = way_choose(gpu, need, NULL);
+	const struct driver_way *way = index >= 0 ? way_at(need, (size_t)index) : NULL;
+	bool forced = gpu->ways.forced[need] != 0;
+	size_t used = (size_t)snprintf(
+		text, size, "%s%s", way != NULL ? way->name : "none", forced ? ", forced" : "");
+	if (way != NULL)
+		used += (size_t)snprintf(text + used, size - used, " (%s)", way->summary);
+	for (size_t i = 0; !forced && way_at(need, i) != way && used < size; i++) {
+		enum cap cap = lacking_cap(gpu, way_at(need, i));
+		used += (size_t)snprintf(text + used, size - used,
+			"; %s was not taken because %s: %s", way_at(need, i)->name, cap_name(cap),
+			gpu->caps.found[cap].why);
+	}
+}
+
+void ways_describe(struct gpu *gpu, sm_fact fact, void *data)
+{
+	for (enum driver_need need = 0; need < DRIVER_NEEDS; need++) {
+		char key[32], value[900];
+		snprintf(key, sizeof(key), "need %s", needs[need].name);
+		describe(gpu, need, value, sizeof(value));
+		fact(data, key, value);
+	}
+}
