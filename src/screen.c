@@ -47,19 +47,6 @@ static uint32_t flags_of(int way, const uint8_t bits[3])
 	return way == COPY_STORED ? flags | FLAG_STORED : flags;
 }
 
-static void bind_stored_sampler(struct gpu *gpu)
-{
-	struct gl *gl = &gpu->gl;
-	if (gpu->stored_sampler == 0) {
-		gpu->stored_sampler = gl_create_sampler(gl);
-		gl->SamplerParameteri(
-			gpu->stored_sampler, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
-		gl->SamplerParameteri(gpu->stored_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-		gl->SamplerParameteri(gpu->stored_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-	}
-	gl->BindSampler(UNIT_BASE, gpu->stored_sampler);
-}
-
 static bool use_program(
 	struct gpu *gpu, const struct sm_screen *screen, int way, struct sm_error *error)
 {
@@ -90,7 +77,7 @@ bool screen_draw(struct gpu *gpu, const struct sm_screen *screen, struct sm_erro
 		(GLsizei)(turned ? screen->width : screen->height));
 	bool used = way >= 0 && use_program(gpu, screen, way, error);
 	if (used && way == COPY_STORED)
-		bind_stored_sampler(gpu);
+		gpu_bind_stored_sampler(gpu, UNIT_BASE);
 	if (used) {
 		/* The driver's own dithering is as it pleases. */
 		gl->Disable(GL_DITHER);

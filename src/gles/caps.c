@@ -7,12 +7,12 @@
 
 static_assert(CAP_COUNT <= 32, "sets of caps are words");
 
-/* A cap is an extension or a version's; or else it is found out by a probe (probe.c), which takes
+/* A cap is an extension, or else it is found out by a probe (probe.c), which takes a version and
  * one cap of each set. */
 struct cap_info {
 	const char *name;
 	const char *extension; /* NULL: none */
-	int version;           /* that has it without: 10 * major + minor; 0: none */
+	int version;           /* 10 * major + minor: has the extension in it; a probe takes it */
 	uint32_t any, also;    /* sets of caps; 0: nothing is taken */
 };
 
@@ -24,16 +24,35 @@ static const struct cap_info infos[CAP_COUNT] = {
 	[CAP_COLOR_BUFFER_FLOAT] = {EXTENSION(EXT_color_buffer_float), .version = 32},
 	[CAP_COLOR_BUFFER_HALF_FLOAT] = {EXTENSION(EXT_color_buffer_half_float)},
 	[CAP_FLOAT_BLEND] = {EXTENSION(EXT_float_blend)},
+	[CAP_SHADER_FRAMEBUFFER_FETCH] = {EXTENSION(EXT_shader_framebuffer_fetch)},
 	[CAP_TEXTURE_FILTER_ANISOTROPIC] = {EXTENSION(EXT_texture_filter_anisotropic)},
 	[CAP_TEXTURE_SRGB_DECODE] = {EXTENSION(EXT_texture_sRGB_decode)},
 	[CAP_KHR_DEBUG] = {EXTENSION(KHR_debug)},
 	[CAP_TEXTURE_FLOAT_LINEAR] = {EXTENSION(OES_texture_float_linear)},
+	/* 24 bits of a texel, and all of a float. */
+	[CAP_HIGHP_SAMPLER] = {.name = "highp_sampler"},
+	[CAP_DEPTH_FETCH] = {.name = "depth_fetch"},
+	/* Four comparisons are blended by the sampler: OpenGL ES leaves that to the driver. */
+	[CAP_SHADOW_FILTER] = {.name = "shadow_filter"},
 	[CAP_TEXTURE_GATHER] = {.name = "texture_gather", .version = 31},
+	/* The least gl_FragDepth is kept. */
+	[CAP_FRAG_DEPTH_MIN] = {.name = "frag_depth_min"},
 	[CAP_MIN_RG16F] = {.name = "min_rg16f", .any = HALF_TARGETS},
 	[CAP_MIN_RG32F] = {.name = "min_rg32f", .any = FLOAT_TARGETS, .also = CAP_BIT(FLOAT_BLEND)},
 	[CAP_MIN_RGB10_A2] = {.name = "min_rgb10_a2"},
+	[CAP_MIN_RGBA8] = {.name = "min_rgba8"},
+	[CAP_FETCH_RG16F] = {.name = "fetch_rg16f",
+		.any = HALF_TARGETS,
+		.also = CAP_BIT(SHADER_FRAMEBUFFER_FETCH)},
+	[CAP_RENDER_R32F] = {.name = "render_r32f", .any = FLOAT_TARGETS},
+	[CAP_RENDER_R16F] = {.name = "render_r16f", .any = HALF_TARGETS},
 	[CAP_RENDER_RG32F] = {.name = "render_rg32f", .any = FLOAT_TARGETS},
 	[CAP_RENDER_RG16F] = {.name = "render_rg16f", .any = HALF_TARGETS},
+	[CAP_FILTER_RG32F] = {.name = "filter_rg32f",
+		.any = FLOAT_TARGETS,
+		.also = CAP_BIT(TEXTURE_FLOAT_LINEAR)},
+	[CAP_FILTER_RG16F] = {.name = "filter_rg16f", .any = HALF_TARGETS},
+	[CAP_SRGB_STORED] = {.name = "srgb_stored", .any = CAP_BIT(TEXTURE_SRGB_DECODE)},
 };
 
 const char *cap_name(size_t index)
@@ -50,6 +69,11 @@ void caps_note(struct caps *caps, enum cap cap, bool there, const char *format, 
 	va_start(args, format);
 	vsnprintf(finding->why, sizeof(finding->why), format, args);
 	va_end(args);
+}
+
+static bool has_version(const struct caps *caps, int version)
+{
+	return 10 * caps->major + caps->minor >= version;
 }
 
 static bool has_one(const struct caps *caps, uint32_t set)
@@ -80,6 +104,8 @@ bool caps_rule_out(struct caps *caps, enum cap cap)
 							: 0;
 	if (caps->found[cap].taken)
 		caps_note(caps, cap, false, "taken away");
+	else if (!has_version(caps, info->version))
+		caps_note(caps, cap, false, "OpenGL ES %d.%d", caps->major, caps->minor);
 	else if (lacking != 0)
 		caps_note(caps, cap, false, "without %s", list_set(lacking, text, sizeof(text)));
 	return caps->found[cap].known;
@@ -128,22 +154,20 @@ static bool is_listed(struct gl *gl, const char *extension)
 	return false;
 }
 
-/* What is known without drawing. */
-static void find_said(struct caps *caps, struct gl *gl)
+static void find_extensions(struct caps *caps, struct gl *gl)
 {
 	for (enum cap cap = 0; cap < CAP_COUNT; cap++) {
 		const struct cap_info *info = &infos[cap];
-		bool versioned = info->version > 0;
+		if (info->extension == NULL)
+			continue;
 		if (caps->found[cap].taken)
 			caps_note(caps, cap, false, "taken away");
-		else if (info->extension != NULL && is_listed(gl, info->extension))
+		else if (is_listed(gl, info->extension))
 			caps_note(caps, cap, true, "extension");
-		else if (versioned && 10 * caps->major + caps->minor >= info->version)
+		else if (info->version > 0 && has_version(caps, info->version))
 			caps_note(caps, cap, true, "OpenGL ES %d.%d", caps->major, caps->minor);
-		else if (info->extension != NULL)
+		else
 			caps_note(caps, cap, false, "no such extension");
-		else if (versioned)
-			caps_note(caps, cap, false, "OpenGL ES %d.%d", caps->major, caps->minor);
 	}
 }
 
@@ -166,7 +190,7 @@ bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_err
 	gl->GetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &caps->program_binary_formats);
 	if (!override(caps, list, error))
 		return false;
-	find_said(caps, gl);
+	find_extensions(caps, gl);
 	return true;
 }
 

@@ -49,6 +49,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(DELETEVERTEXARRAYS, DeleteVertexArrays) \
 	X(DEPTHFUNC, DepthFunc) \
 	X(DEPTHMASK, DepthMask) \
+	X(DEPTHRANGEF, DepthRangef) \
 	X(DISABLE, Disable) \
 	X(DRAWARRAYS, DrawArrays) \
 	X(DRAWBUFFERS, DrawBuffers) \
@@ -79,6 +80,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(PROGRAMBINARY, ProgramBinary) \
 	X(PROGRAMPARAMETERI, ProgramParameteri) \
 	X(READBUFFER, ReadBuffer) \
+	X(READPIXELS, ReadPixels) \
 	X(SAMPLERPARAMETERI, SamplerParameteri) \
 	X(SCISSOR, Scissor) \
 	X(SHADERSOURCE, ShaderSource) \
@@ -91,6 +93,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(UNIFORM2F, Uniform2f) \
 	X(UNIFORM2FV, Uniform2fv) \
 	X(UNIFORM3F, Uniform3f) \
+	X(UNIFORM4F, Uniform4f) \
 	X(UNIFORMMATRIX3FV, UniformMatrix3fv) \
 	X(UNIFORMMATRIX4FV, UniformMatrix4fv) \
 	X(USEPROGRAM, UseProgram) \

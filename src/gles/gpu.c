@@ -109,6 +109,32 @@ void gpu_bind_layers(struct gpu *gpu, enum texture_unit unit, GLuint texture)
 	gpu->gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
 }
 
+GLuint gpu_create_compare_sampler(struct gpu *gpu, GLint filter)
+{
+	struct gl *gl = &gpu->gl;
+	GLuint sampler = gl_create_sampler(gl);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, filter);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, filter);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+	gl->SamplerParameteri(sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+	return sampler;
+}
+
+void gpu_bind_stored_sampler(struct gpu *gpu, enum texture_unit unit)
+{
+	struct gl *gl = &gpu->gl;
+	if (gpu->stored_sampler == 0) {
+		gpu->stored_sampler = gl_create_sampler(gl);
+		gl->SamplerParameteri(
+			gpu->stored_sampler, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
+		gl->SamplerParameteri(gpu->stored_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+		gl->SamplerParameteri(gpu->stored_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+	}
+	gl->BindSampler(unit, gpu->stored_sampler);
+}
+
 void gpu_fill_viewport(struct gpu *gpu, GLuint texture)
 {
 	gpu->gl.Disable(GL_BLEND);
@@ -131,6 +157,7 @@ void gpu_restore_state(struct gpu *gpu)
 	gl->Disable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	gl->DepthMask(GL_TRUE);
+	gl->DepthRangef(0.0f, 1.0f);
 	gl->BindVertexArray(0);
 	gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 	gl->UseProgram(0);

@@ -50,6 +50,13 @@ void gpu_bind_texture(struct gpu *gpu, enum texture_unit unit, GLuint texture);
 /** The same with an array. */
 void gpu_bind_layers(struct gpu *gpu, enum texture_unit unit, GLuint texture);
 
+/** A sampler that compares (LEQUAL), clamped to the edge, for the caller to delete. filter:
+ * GL_NEAREST or GL_LINEAR. */
+GLuint gpu_create_compare_sampler(struct gpu *gpu, GLint filter);
+
+/** Has a unit's sRGB texels read as they are stored. Takes EXT_texture_sRGB_decode. */
+void gpu_bind_stored_sampler(struct gpu *gpu, enum texture_unit unit);
+
 /** Draws one triangle over the whole viewport, with the program in use (copy.vert) and `texture`
  *  as its base texture. */
 void gpu_fill_viewport(struct gpu *gpu, GLuint texture);

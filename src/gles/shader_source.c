@@ -35,6 +35,8 @@ static const struct {
 	FLAG(VSM),
 	FLAG(FOUR_FETCHES),
 	FLAG(FROM_DEPTH),
+	FLAG(ALPHA_DEPTH),
+	FLAG(FETCH),
 #undef FLAG
 };
 
@@ -129,6 +131,18 @@ static const struct {
 			.flags = FLAG_DITHER | FLAG_WIDEN | FLAG_STORED,
 			.parts = {{{"copy.vert"}}, {{"screen.frag"}}},
 		},
+	[PROGRAM_PROBE_DRAW] =
+		{
+			.name = "probe-draw",
+			.flags = FLAG_ALPHA_DEPTH | FLAG_FETCH,
+			.parts = {{{"copy.vert"}}, {{"probe_draw.frag"}}},
+		},
+	[PROGRAM_PROBE_READ] =
+		{
+			.name = "probe-read",
+			.flags = FLAG_GATHER,
+			.parts = {{{"copy.vert"}}, {{"probe_read.frag"}}},
+		},
 };
 
 static bool implies(uint32_t flags, uint32_t flag, uint32_t needed)
@@ -158,11 +172,18 @@ bool program_key_is_valid(struct program_key key)
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
 	       implies(flags, FLAG_FOUR_FETCHES, FLAG_VSM) &&
-	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | FLAG_BICUBIC)) &&
+	       (key.kind != PROGRAM_SURFACE || !(flags & FLAG_GATHER) ||
+		       flags & (TAP_FLAGS | FLAG_BICUBIC)) &&
 	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB) &&
 	       (key.kind != PROGRAM_BLUR || implies(flags, FLAG_RECEIVER_MAP, FLAG_FROM_DEPTH)) &&
 	       excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID | FLAG_CONE) &&
-	       excludes(flags, FLAG_DITHER, FLAG_WIDEN);
+	       excludes(flags, FLAG_DITHER, FLAG_WIDEN) &&
+	       excludes(flags, FLAG_ALPHA_DEPTH, FLAG_FETCH);
+}
+
+uint32_t program_kind_flags(enum program_kind kind)
+{
+	return programs[kind].flags;
 }
 
 static const char *file_text(const char *name)
@@ -180,6 +201,8 @@ size_t shader_parts(
 	size_t count = 0;
 	/* textureGather() came with 3.1; all else is 3.0. */
 	parts[count++] = key.flags & FLAG_GATHER ? "#version 310 es\n" : "#version 300 es\n";
+	if (key.flags & FLAG_FETCH && stage == STAGE_FRAGMENT)
+		parts[count++] = "#extension GL_EXT_shader_framebuffer_fetch : require\n";
 	parts[count++] = file_text("common_precision.glsl");
 	for (size_t i = 0; i < FLAG_COUNT; i++)
 		if (key.flags & flag_names[i].flag)

@@ -20,6 +20,8 @@ enum program_kind {
 	PROGRAM_SURFACE,
 	PROGRAM_COPY,
 	PROGRAM_SCREEN,
+	PROGRAM_PROBE_DRAW,
+	PROGRAM_PROBE_READ,
 	PROGRAM_KINDS,
 };
 
@@ -49,7 +51,9 @@ enum program_flag {
 	FLAG_VSM = 1 << 20,
 	FLAG_FOUR_FETCHES = 1 << 21,
 	FLAG_FROM_DEPTH = 1 << 22,
-	FLAG_END = 1 << 23,
+	FLAG_ALPHA_DEPTH = 1 << 23,
+	FLAG_FETCH = 1 << 24,
+	FLAG_END = 1 << 25,
 };
 
 struct program_key {
@@ -63,7 +67,10 @@ enum shader_stage { STAGE_VERTEX, STAGE_FRAGMENT };
  *  built. */
 bool program_key_is_valid(struct program_key key);
 
-#define SHADER_PARTS_MAX 24
+/** The flags that mean something to a kind of program. */
+uint32_t program_kind_flags(enum program_kind kind);
+
+#define SHADER_PARTS_MAX 32
 
 /** The strings that make up one stage, in order, as glShaderSource() takes them; none is owned.
  *  Returns their number. */

@@ -50,14 +50,12 @@ static const struct {
 			.ways =
 				{
 					[MOMENTS_RG32F] = {"rg32f", "RG32F, filtered",
-						CAP_BIT(RENDER_RG32F) |
-							CAP_BIT(TEXTURE_FLOAT_LINEAR),
-						GL_RG32F},
+						CAP_BIT(FILTER_RG32F), GL_RG32F},
 					[MOMENTS_RG32F_FETCH] = {"rg32f-fetch",
 						"RG32F, four fetches", CAP_BIT(RENDER_RG32F),
 						GL_RG32F},
 					[MOMENTS_RG16F] = {"rg16f", "RG16F, filtered",
-						CAP_BIT(RENDER_RG16F), GL_RG16F},
+						CAP_BIT(FILTER_RG16F), GL_RG16F},
 					[MOMENTS_RG16F_FETCH] = {"rg16f-fetch",
 						"RG16F, four fetches", CAP_BIT(RENDER_RG16F),
 						GL_RG16F},
@@ -70,7 +68,7 @@ static const struct {
 			.ways =
 				{
 					[COPY_STORED] = {"stored", "as stored",
-						CAP_BIT(TEXTURE_SRGB_DECODE), 0},
+						CAP_BIT(SRGB_STORED), 0},
 					[COPY_ENCODE] = {"encode", "decoded and encoded again", 0,
 						0},
 				},

@@ -12,16 +12,9 @@ static const struct {
 	[DEPTH_MAP_LINEAR] = {GL_LINEAR, LOOKUP_REACH_LINEAR},
 };
 
-GLuint depth_map_create_sampler(struct gl *gl, enum depth_map_filter filter)
+GLuint depth_map_create_sampler(struct gpu *gpu, enum depth_map_filter filter)
 {
-	GLuint sampler = gl_create_sampler(gl);
-	gl->SamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, filters[filter].filter);
-	gl->SamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, filters[filter].filter);
-	gl->SamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-	gl->SamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-	gl->SamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-	gl->SamplerParameteri(sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-	return sampler;
+	return gpu_create_compare_sampler(gpu, filters[filter].filter);
 }
 
 bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
@@ -31,7 +24,7 @@ bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
 	if (!target_init(&map->target, &gpu->gl, (GLsizei)size, GL_DEPTH_COMPONENT24,
 		    GL_DEPTH_ATTACHMENT, error))
 		return false;
-	map->compare = depth_map_create_sampler(&gpu->gl, filter);
+	map->compare = depth_map_create_sampler(gpu, filter);
 	return true;
 }
 

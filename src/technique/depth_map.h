@@ -50,7 +50,7 @@ void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct l
 /* The parts of the above, for maps of another make. */
 
 /** A sampler that compares, for the caller to delete. */
-GLuint depth_map_create_sampler(struct gl *gl, enum depth_map_filter filter);
+GLuint depth_map_create_sampler(struct gpu *gpu, enum depth_map_filter filter);
 
 /** Clears the framebuffer that is bound, where nothing restricts that, and draws the objects into
  *  an area of it, restricted no more after that. */

@@ -18,7 +18,7 @@ static bool maps_init(void *state, struct gpu *gpu, const struct sm_shadow_optio
 	if (!target_init_layers(&maps->layers, &gpu->gl, (GLsizei)options->map_size,
 		    maps->disc.count, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
 		return false;
-	maps->compare = depth_map_create_sampler(&gpu->gl, DEPTH_MAP_LINEAR);
+	maps->compare = depth_map_create_sampler(gpu, DEPTH_MAP_LINEAR);
 	return true;
 }
 

@@ -401,16 +401,18 @@ static void gl_is_left_at_its_defaults(void **state)
 	}
 }
 
-/* A driver that does not compile one of the shaders: sources until then. */
+/* A driver that does not compile one of the shaders: sources until then, and whether it came. */
 static unsigned int good_sources;
+static bool spoiled;
 
 static void GL_APIENTRY spoil_source(
 	GLuint shader, GLsizei count, const GLchar *const *strings, const GLint *lengths)
 {
-	static const GLchar *const spoiled = "#error";
+	static const GLchar *const error = "#error";
 	PFNGLSHADERSOURCEPROC source = (PFNGLSHADERSOURCEPROC)platform_get_proc("glShaderSource");
+	spoiled = spoiled || good_sources == 0;
 	if (good_sources-- == 0)
-		source(shader, 1, &spoiled, NULL);
+		source(shader, 1, &error, NULL);
 	else
 		source(shader, count, strings, lengths);
 }
@@ -421,13 +423,14 @@ static void (*get_spoiling_proc(const char *name))(void)
 						   : platform_get_proc(name);
 }
 
-/* With the first shader, the second, ... until there is none left to spoil; how many failed. */
+/* With the first shader, the second, ... until there is none left to spoil; how many failed.
+ * Without a probe's the driver is drawn on in another way. */
 static unsigned int spoil_one_by_one(struct rig *rig, const char *technique)
 {
 	const struct sm_shadow_options options = {.technique = technique};
 	unsigned int failures = 0;
-	bool drawn = false;
-	while (!drawn) {
+	spoiled = true;
+	for (unsigned int i = 0; spoiled; i++) {
 		struct canvas canvas;
 		struct sm_renderer *renderer = sm_renderer_create(get_spoiling_proc, NULL);
 		assert_non_null(renderer);
@@ -438,10 +441,10 @@ static unsigned int spoil_one_by_one(struct rig *rig, const char *technique)
 			.width = SIZE,
 			.height = SIZE / 2,
 			.visibility_of = SM_NONE};
-		good_sources = failures;
-		drawn = sm_renderer_draw(renderer, rig->scene, &view, NULL);
+		good_sources = i;
+		spoiled = false;
+		failures += !sm_renderer_draw(renderer, rig->scene, &view, NULL);
 		assert_gl_is_as_promised(&canvas);
-		failures += !drawn;
 		canvas_finish(&canvas);
 		sm_renderer_destroy(renderer);
 	}
