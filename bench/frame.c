@@ -187,9 +187,9 @@ static bool bench_init(struct bench *bench, const char *source, const struct opt
 	if (!camera_world_to_clip(&bench->stage.camera, bench->stage.scene, bench->size,
 		    bench->size, bench->view.world_to_clip, error) ||
 		!depth_map_init(&bench->depths[0], &bench->renderers[0]->gpu, options->map,
-			DEPTH_MAP_LINEAR, error) ||
+			DEPTH_MAP_LINEAR, false, error) ||
 		!depth_map_init(&bench->depths[1], &bench->renderers[0]->gpu, bench->size,
-			DEPTH_MAP_LINEAR, error))
+			DEPTH_MAP_LINEAR, false, error))
 		return false;
 	for (int i = 0; i < CONTENDERS; i++) {
 		bench->times[i] = array_zalloc(options->rounds, sizeof(double));

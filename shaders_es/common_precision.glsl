@@ -4,4 +4,5 @@ precision highp int;
 precision highp sampler2D;
 precision highp sampler2DShadow;
 precision highp usampler2D;
+precision highp sampler2DArray;
 precision highp sampler2DArrayShadow;

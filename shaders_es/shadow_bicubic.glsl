@@ -1,9 +1,5 @@
 // Percentage-closer filtering by a bicubic kernel, as the paper's Figure 7 compares with: the 4x4
 // nearest texels, each compared for itself, under the weights of a cubic B-spline.
-#ifndef GATHER
-uniform sampler2D depth_map;
-#endif
-
 // Weights of the texels at -1, 0, 1 and 2 from the one that is f before the point.
 vec4 spline_weights(float f)
 {
@@ -11,22 +7,6 @@ vec4 spline_weights(float f)
 	vec4 w = vec4(g * g * g, 3.0 * f * f * (f - 2.0) + 4.0, 3.0 * g * g * (g - 2.0) + 4.0,
 		f * f * f);
 	return w / 6.0;
-}
-
-// Whether the texels at corner + (0,1), (1,1), (1,0), (0,0), the order of textureGather(), are lit.
-vec4 fetch_lit(vec2 corner, float depth)
-{
-#ifdef GATHER
-	return textureGather(depth_compare, (corner + 1.0) * map_size.y, depth);
-#else
-	ivec2 last = ivec2(map_size.x) - 1;
-	ivec2 low = clamp(ivec2(corner), ivec2(0), last);
-	ivec2 high = clamp(ivec2(corner) + 1, ivec2(0), last);
-	vec4 found = vec4(texelFetch(depth_map, ivec2(low.x, high.y), 0).r,
-		texelFetch(depth_map, high, 0).r, texelFetch(depth_map, ivec2(high.x, low.y), 0).r,
-		texelFetch(depth_map, low, 0).r);
-	return vec4(greaterThanEqual(found, vec4(min(depth, 1.0))));
-#endif
 }
 
 // Of the 2x2 texels at a corner, compared at the receiver's plane amid them.

@@ -1,7 +1,6 @@
-// An ordinary shadow map, compared by the sampler: at the nearest texel, or blended
-// from the four nearest.
+// An ordinary shadow map, compared at the nearest texel, or at the four nearest and blended.
 float shadow_visibility(vec3 p)
 {
 	vec3 s = on_screen(p);
-	return textureLod(depth_compare, vec3(s.xy, receiver_depth(s)), 0.0);
+	return compare(s.xy, receiver_depth(s));
 }

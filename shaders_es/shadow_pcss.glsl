@@ -1,6 +1,5 @@
 // Percentage-closer soft shadows (Fernando 2005): the mean depth of the blockers between the light
 // and the receiver gives the width of the penumbra, over which comparisons are averaged.
-uniform sampler2D depth_map;
 uniform vec2 disc_points[64]; // of the unit disc
 uniform int disc_count;
 // Half-width of the penumbra, window x or y, for a blocker in front by 1 of window depth. It is in
@@ -39,8 +38,9 @@ float shadow_visibility(vec3 p)
 	float blockers = 0.0, sum = 0.0;
 	for (int i = 0; i < disc_count; i++) {
 		vec2 tap = region * disc_points[i];
-		float b = textureLod(depth_map, s.xy + tap, 0.0).r;
-		float blocks = b < min(depth + dot(slope, tap), 1.0) ? 1.0 : 0.0;
+		float b = plain_depth(textureLod(depth_map, s.xy + tap, 0.0));
+		float front = min(depth + dot(slope, tap), 1.0);
+		float blocks = b < front - plain_step(front) ? 1.0 : 0.0;
 		blockers += blocks;
 		sum += blocks * b;
 	}
@@ -51,7 +51,7 @@ float shadow_visibility(vec3 p)
 	int taps = blockers > 0.0 ? disc_count : 0;
 	for (int i = 0; i < taps; i++) {
 		vec2 tap = penumbra * disc_points[i];
-		lit += textureLod(depth_compare, vec3(s.xy + tap, depth + dot(slope, tap)), 0.0);
+		lit += compare(s.xy + tap, depth + dot(slope, tap));
 	}
 	return blockers > 0.0 ? lit / float(disc_count) : 1.0;
 }

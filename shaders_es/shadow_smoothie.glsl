@@ -1,6 +1,6 @@
 // Smoothies (Chan & Durand 2003, section 4): at each of the four nearest texels the receiver is
 // behind the shadow map (0), else behind a smoothie (its alpha'), else lit; then bilinear weights.
-uniform sampler2D smoothie_map; // linear depth, alpha'
+uniform sampler2D smoothie_map; // linear depth, alpha'; with ALPHA_DEPTH alpha' alone
 #ifdef SEPARATE_DEPTH
 uniform sampler2D smoothie_depth;
 #endif
@@ -14,7 +14,11 @@ float shadow_visibility(vec3 p)
 	float depth = receiver_depth(s);
 	taps t = taps_at(s.xy);
 	vec4 lit = fetch_lit(t.corner, depth);
+#ifdef ALPHA_DEPTH
+	vec4 alpha = FETCH(smoothie_map, 0, t.corner);
+#else
 	vec4 alpha = FETCH(smoothie_map, 1, t.corner);
+#endif
 #ifdef SEPARATE_DEPTH
 	vec4 b = linear_depth(FETCH(smoothie_depth, 0, t.corner));
 #else

@@ -1,8 +1,6 @@
 // The four texels around a surface on the light's screen, at corner + (0,1), (1,1), (1,0), (0,0), the
 // order of textureGather().
-#ifndef GATHER
-uniform sampler2D depth_map;
-#endif
+uniform sampler2D depth_map; // of plain depths
 
 struct taps {
 	vec2 corner; // texel, lower left
@@ -17,6 +15,7 @@ taps taps_at(vec2 s)
 	return taps(corner, texel - corner);
 }
 
+// Whether the four at a corner, which may lie beside the map, are lit at a depth.
 #ifdef GATHER
 vec4 fetch_lit(vec2 corner, float depth)
 {
@@ -33,9 +32,18 @@ vec4 fetch_lit(vec2 corner, float depth)
 		FETCH_AT(map, channel, corner.x + 1.0, corner.y),                                  \
 		FETCH_AT(map, channel, corner.x, corner.y))
 
+float depth_at(int x, int y)
+{
+	ivec2 texel = clamp(ivec2(x, y), ivec2(0), ivec2(map_size.x) - 1);
+	return plain_depth(texelFetch(depth_map, texel, 0));
+}
+
 vec4 fetch_lit(vec2 corner, float depth)
 {
-	return vec4(greaterThanEqual(FETCH(depth_map, 0, corner), vec4(depth)));
+	ivec2 low = ivec2(corner), high = low + 1;
+	vec4 found = vec4(depth_at(low.x, high.y), depth_at(high.x, high.y),
+		depth_at(high.x, low.y), depth_at(low.x, low.y));
+	return vec4(greaterThanEqual(found + plain_step(depth), vec4(min(depth, 1.0))));
 }
 #endif
 

@@ -14,17 +14,21 @@ uniform sampler2D falloff;
 #endif
 uniform float pole;
 
-#ifndef DEPTH_ONLY
-layout(location = 0) out vec4 smoothie; // linear depth, alpha'
+// Linear depth and alpha', of which the least is kept: by blending, by this shader itself (FETCH), or
+// of alpha' alone by the depth test (ALPHA_DEPTH).
+#if defined(FETCH)
+layout(location = 0) inout vec4 smoothie;
+#elif !defined(DEPTH_ONLY) && !defined(ALPHA_DEPTH)
+layout(location = 0) out vec4 smoothie;
 #endif
 
 void main()
 {
 	ivec2 texel = ivec2(gl_FragCoord.xy);
 	float b = gl_FragCoord.z;
-	float r = texelFetch(depth_map, texel, 0).r;
+	float r = plain_depth(texelFetch(depth_map, texel, 0));
 #ifdef RECEIVER_MAP
-	r = min(r, texelFetch(receiver_map, texel, 0).r);
+	r = min(r, plain_depth(texelFetch(receiver_map, texel, 0)));
 #endif
 	// Behind a blocker, or at contact, where 1 - b/r is 0. Else b < r <= 1 <= pole: the divisor
 	// is above 0.
@@ -51,6 +55,12 @@ void main()
 	float entries = float(textureSize(falloff, 0).x);
 	alpha = textureLod(falloff, vec2((alpha * (entries - 1.0) + 0.5) / entries, 0.5), 0.0).r;
 #endif
+#if defined(ALPHA_DEPTH)
+	gl_FragDepth = alpha;
+#elif defined(FETCH)
+	smoothie = min(smoothie, vec4(linear_depth(b), alpha, 1.0, 1.0));
+#else
 	smoothie = vec4(linear_depth(b), alpha, 1.0, 1.0);
+#endif
 #endif
 }

@@ -26,9 +26,9 @@ const float MOST_HALF = 65504.0;
 float surface_depth(ivec2 texel)
 {
 	texel = clamp(texel, ivec2(0), textureSize(depth_map, 0) - 1);
-	float depth = texelFetch(depth_map, texel, 0).r;
+	float depth = plain_depth(texelFetch(depth_map, texel, 0));
 #ifdef RECEIVER_MAP
-	depth = min(depth, texelFetch(receiver_map, texel, 0).r);
+	depth = min(depth, plain_depth(texelFetch(receiver_map, texel, 0)));
 #endif
 	return depth;
 }
@@ -51,7 +51,7 @@ void main()
 	// The surface that the edge throws its shadow on, next to it. Before the edge: it is hidden
 	// from the light, and is no silhouette.
 	float r = farthest_depth(gl_FragCoord.xy - offset + BESIDE * outward);
-	if (r < b - DEPTH_STEP)
+	if (r < b - DEPTH_STEP - plain_step(b))
 		discard;
 	if (!inside)
 		r = surface_depth(ivec2(gl_FragCoord.xy));

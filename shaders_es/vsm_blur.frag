@@ -13,10 +13,10 @@ const ivec2 DIRECTION = ivec2(1, 0);
 
 vec2 moments_at(ivec2 texel)
 {
-	float d = texelFetch(base_texture, texel, 0).r;
+	float d = plain_depth(texelFetch(base_texture, texel, 0));
 #ifdef RECEIVER_MAP
 	// What lies beside a blocker on the screen belongs to the mean, whether it casts or not.
-	float receiver = texelFetch(receiver_map, texel, 0).r;
+	float receiver = plain_depth(texelFetch(receiver_map, texel, 0));
 	d = d == 1.0 && receiver > 0.0 ? receiver : d;
 #endif
 	float depth = linear_depth(d) - 0.5;

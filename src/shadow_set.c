@@ -2,6 +2,7 @@
 #include "shadow_set.h"
 #include "base/array.h"
 #include "fixed/primitive.h"
+#include "technique/depth_map.h"
 #include <stdlib.h>
 
 #define MAP_SIZE_DEFAULT 1024
@@ -152,6 +153,10 @@ size_t shadow_set_geometry_bytes(const struct shadow_set *set)
 
 static bool add_state(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)
 {
+	struct depth_ways ways;
+	if (!depth_ways_choose(&ways, gpu, error))
+		return false;
+	set->map_flags = FLAG_SHADOWED | FLAG_HARD | ways.compare;
 	if (!array_reserve((void **)&set->states, &set->capacity, set->count + 1, sizeof(void *)))
 		return error_no_memory(error);
 	void *state = calloc(1, set->technique->state_size);

@@ -230,7 +230,7 @@ static uint32_t flags_of(const struct surface_pass *pass, uint32_t all, enum nee
 	case NEED_LIGHT:
 		return lit;
 	case NEED_MAP:
-		return lit | FLAG_SHADOWED | FLAG_HARD;
+		return lit | pass->renderer->shadows.map_flags;
 	default:
 		return all;
 	}

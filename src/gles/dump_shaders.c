@@ -7,7 +7,7 @@
 
 static int write_stage(const char *folder, struct program_key key, enum shader_stage stage)
 {
-	char name[256], path[1200];
+	char name[320], path[1200];
 	program_key_name(key, name, sizeof(name));
 	for (char *c = name; *c != '\0'; c++)
 		if (*c == ' ')

@@ -33,7 +33,7 @@ static GLuint compile(
 	gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
 	if (compiled)
 		return shader;
-	char name[256], info[1000] = "";
+	char name[320], info[1000] = "";
 	gl->GetShaderInfoLog(shader, sizeof(info), NULL, info);
 	log_numbered_source(parts, count);
 	log_error("%s", info);
@@ -68,7 +68,7 @@ static bool link_program(struct gl *gl, GLuint name, struct program_key key, str
 		gl->LinkProgram(name);
 		gl->GetProgramiv(name, GL_LINK_STATUS, &linked);
 		if (!linked) {
-			char text[256], info[1000] = "";
+			char text[320], info[1000] = "";
 			gl->GetProgramInfoLog(name, sizeof(info), NULL, info);
 			log_error("%s", info);
 			error_set(error, SM_ERROR_MACHINE, "the driver does not link \"%s\"",
@@ -94,6 +94,7 @@ static void set_samplers(struct gl *gl, const struct program *program)
 	gl->Uniform1i(program->uniform.fin_map, UNIT_FINS);
 	gl->Uniform1i(program->uniform.depth_layers, UNIT_DEPTH_LAYERS);
 	gl->Uniform1i(program->uniform.moment_map, UNIT_MOMENTS);
+	gl->Uniform1i(program->uniform.plain_layers, UNIT_PLAIN_LAYERS);
 }
 
 /* From the caller's store if it can be. */

@@ -37,6 +37,9 @@ static const struct {
 	FLAG(FROM_DEPTH),
 	FLAG(ALPHA_DEPTH),
 	FLAG(FETCH),
+	FLAG(DEPTH_FLOAT),
+	FLAG(DEPTH_HALF),
+	FLAG(DEPTH_PACKED),
 #undef FLAG
 };
 
@@ -49,8 +52,12 @@ static const struct {
 	FLAG_BICUBIC | FLAG_PCSS | FLAG_MAPS | FLAG_VSM)
 /* clang-format on */
 
-/* Those that look up four texels each. */
-#define TAP_FLAGS (FLAG_SMOOTHIE | FLAG_TWO_SIDED)
+/* Those that look up four texels apart; or that compare at four, blended. */
+#define TAP_FLAGS (FLAG_SMOOTHIE | FLAG_TWO_SIDED | FLAG_BICUBIC)
+#define COMPARE_FLAGS (FLAG_HARD | FLAG_PCSS | FLAG_MAPS)
+
+/* In which form plain depths are read. */
+#define PLAIN_FLAGS (FLAG_DEPTH_HALF | FLAG_DEPTH_PACKED)
 
 /* Files of a stage, in order; one with flags is left out unless one of them is on. */
 struct part {
@@ -66,50 +73,74 @@ static const struct {
 	[PROGRAM_DEPTH_MAP] =
 		{
 			.name = "depth-map",
-			.parts = {{{"depth_map.vert"}}, {{"depth_map.frag"}}},
+			.flags = FLAG_DEPTH_FLOAT | PLAIN_FLAGS,
+			.parts =
+				{
+					{{"depth_map.vert"}},
+					{
+						{"common_light_depth.glsl", FLAG_DEPTH_HALF},
+						{"common_plain_depth.glsl",
+							FLAG_DEPTH_FLOAT | PLAIN_FLAGS},
+						{"depth_map.frag"},
+					},
+				},
 		},
 	[PROGRAM_FIN] =
 		{
 			.name = "fin",
-			.flags = FLAG_SINUSOID | FLAG_DEPTH_ONLY | FLAG_RECEIVER_MAP | FLAG_CONE,
+			.flags = FLAG_SINUSOID | FLAG_DEPTH_ONLY | FLAG_RECEIVER_MAP | FLAG_CONE |
+				 FLAG_ALPHA_DEPTH | FLAG_FETCH | PLAIN_FLAGS,
 			.parts =
 				{
 					{{"smoothie_fin.vert"}},
-					{{"common_light_depth.glsl"}, {"smoothie_fin.frag"}},
+					{{"common_light_depth.glsl"}, {"common_plain_depth.glsl"},
+						{"smoothie_fin.frag"}},
 				},
 		},
 	[PROGRAM_BLUR] =
 		{
 			.name = "blur",
-			.flags = FLAG_FROM_DEPTH | FLAG_RECEIVER_MAP,
+			.flags = FLAG_FROM_DEPTH | FLAG_RECEIVER_MAP | PLAIN_FLAGS,
 			.parts =
 				{
 					{{"copy.vert"}},
-					{{"common_light_depth.glsl"}, {"vsm_blur.frag"}},
+					{{"common_light_depth.glsl"}, {"common_plain_depth.glsl"},
+						{"vsm_blur.frag"}},
 				},
 		},
 	[PROGRAM_TWO_SIDED_FIN] =
 		{
 			.name = "two-sided-fin",
-			.flags = FLAG_RECEIVER_MAP,
-			.parts = {{{"smoothie_fin.vert"}}, {{"two_sided_fin.frag"}}},
+			.flags = FLAG_RECEIVER_MAP | PLAIN_FLAGS,
+			.parts =
+				{
+					{{"smoothie_fin.vert"}},
+					{
+						{"common_light_depth.glsl", FLAG_DEPTH_HALF},
+						{"common_plain_depth.glsl"},
+						{"two_sided_fin.frag"},
+					},
+				},
 		},
 	[PROGRAM_SURFACE] =
 		{
 			.name = "surface",
 			.flags = FLAG_LIT | FLAG_SHADOWED | SHADOW_FLAGS | FLAG_SEPARATE_DEPTH |
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
-				 FLAG_ENCODE_SRGB,
+				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS,
 			.parts =
 				{
 					{{"surface.vert"}},
 					{
 						{"common_srgb.glsl", FLAG_ENCODE_SRGB},
 						{"common_light_depth.glsl",
-							FLAG_SMOOTHIE | FLAG_VSM},
+							FLAG_SMOOTHIE | FLAG_VSM | FLAG_DEPTH_HALF},
+						{"common_plain_depth.glsl",
+							TAP_FLAGS | COMPARE_FLAGS},
 						{"shadow_receiver.glsl", FLAG_SHADOWED},
+						{"shadow_taps.glsl", TAP_FLAGS | COMPARE_FLAGS},
+						{"shadow_compare.glsl", FLAG_HARD | FLAG_PCSS},
 						{"shadow_hard.glsl", FLAG_HARD},
-						{"shadow_taps.glsl", TAP_FLAGS},
 						{"shadow_smoothie.glsl", FLAG_SMOOTHIE},
 						{"shadow_two_sided.glsl", FLAG_TWO_SIDED},
 						{"shadow_bicubic.glsl", FLAG_BICUBIC},
@@ -163,22 +194,46 @@ static bool excludes(uint32_t flags, uint32_t flag, uint32_t other)
 	return !(flags & flag) || !(flags & other);
 }
 
-bool program_key_is_valid(struct program_key key)
+/* Whether surfaces with these flags read depths without comparing. */
+static bool reads_plainly(uint32_t flags)
 {
-	uint32_t flags = key.flags;
-	if (flags & ~programs[key.kind].flags)
-		return false;
+	return flags & FLAG_PCSS || (flags & TAP_FLAGS && !(flags & FLAG_GATHER)) ||
+	       (flags & COMPARE_FLAGS && flags & FLAG_FOUR_FETCHES);
+}
+
+static bool surface_is_valid(uint32_t flags)
+{
 	return count_bits(flags & SHADOW_FLAGS) == (flags & FLAG_SHADOWED ? 1 : 0) &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
-	       implies(flags, FLAG_FOUR_FETCHES, FLAG_VSM) &&
-	       (key.kind != PROGRAM_SURFACE || !(flags & FLAG_GATHER) ||
-		       flags & (TAP_FLAGS | FLAG_BICUBIC)) &&
-	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB) &&
-	       (key.kind != PROGRAM_BLUR || implies(flags, FLAG_RECEIVER_MAP, FLAG_FROM_DEPTH)) &&
-	       excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID | FLAG_CONE) &&
-	       excludes(flags, FLAG_DITHER, FLAG_WIDEN) &&
-	       excludes(flags, FLAG_ALPHA_DEPTH, FLAG_FETCH);
+	       implies(flags, FLAG_ALPHA_DEPTH, FLAG_SEPARATE_DEPTH) &&
+	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
+	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
+	       excludes(flags, FLAG_GATHER, FLAG_FOUR_FETCHES) &&
+	       (!(flags & PLAIN_FLAGS) || reads_plainly(flags)) &&
+	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB);
+}
+
+bool program_key_is_valid(struct program_key key)
+{
+	uint32_t flags = key.flags;
+	if (flags & ~programs[key.kind].flags ||
+		count_bits(flags & (FLAG_DEPTH_FLOAT | PLAIN_FLAGS)) > 1)
+		return false;
+	switch (key.kind) {
+	case PROGRAM_SURFACE:
+		return surface_is_valid(flags);
+	case PROGRAM_FIN:
+		return excludes(flags, FLAG_DEPTH_ONLY,
+			       FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH) &&
+		       excludes(flags, FLAG_ALPHA_DEPTH, FLAG_FETCH);
+	case PROGRAM_BLUR:
+		return flags == 0 || flags & FLAG_FROM_DEPTH;
+	case PROGRAM_SCREEN:
+		return excludes(flags, FLAG_DITHER, FLAG_WIDEN);
+	default:
+		return excludes(flags, FLAG_ALPHA_DEPTH, FLAG_FETCH);
+	}
 }
 
 uint32_t program_kind_flags(enum program_kind kind)

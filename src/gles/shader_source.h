@@ -53,7 +53,10 @@ enum program_flag {
 	FLAG_FROM_DEPTH = 1 << 22,
 	FLAG_ALPHA_DEPTH = 1 << 23,
 	FLAG_FETCH = 1 << 24,
-	FLAG_END = 1 << 25,
+	FLAG_DEPTH_FLOAT = 1 << 25,
+	FLAG_DEPTH_HALF = 1 << 26,
+	FLAG_DEPTH_PACKED = 1 << 27,
+	FLAG_END = 1 << 28,
 };
 
 struct program_key {

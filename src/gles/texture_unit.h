@@ -14,6 +14,7 @@ enum texture_unit {
 	UNIT_FINS,
 	UNIT_DEPTH_LAYERS, /* of an array; through a comparing sampler object */
 	UNIT_MOMENTS,
+	UNIT_PLAIN_LAYERS, /* as UNIT_DEPTH_LAYERS, read plainly */
 	UNIT_COUNT,
 };
 

@@ -7,6 +7,7 @@
 
 #define WAYS_MAX 7
 
+/* clang-format off */
 /* Best first. */
 static const struct {
 	const char *name;
@@ -14,66 +15,58 @@ static const struct {
 	struct driver_way ways[WAYS_MAX]; /* up to one without a name */
 } needs[DRIVER_NEEDS] = {
 	/* RG16F: 11 bits at any scale; embedded GPUs blend it, and no wider float. RGB10_A2 is core
-	 * OpenGL ES 3.0: 10 bits of depth over the light's range, 10 of alpha. */
-	[DRIVER_SMOOTHIE] =
-		{
-			.name = "smoothie",
-			.what = "a smoothie buffer",
-			.ways =
-				{
-					[SMOOTHIE_RG16F] = {"rg16f", "MIN blending in RG16F",
-						CAP_BIT(MIN_RG16F), GL_RG16F},
-					[SMOOTHIE_RG32F] = {"rg32f", "MIN blending in RG32F",
-						CAP_BIT(MIN_RG32F), GL_RG32F},
-					[SMOOTHIE_RGB10_A2] = {"rgb10_a2",
-						"MIN blending in RGB10_A2", CAP_BIT(MIN_RGB10_A2),
-						GL_RGB10_A2},
-				},
-		},
-	[DRIVER_TAPS] =
-		{
-			.name = "taps",
-			.what = "four texels apart",
-			.ways =
-				{
-					[TAPS_GATHER] = {"gather", "textureGather",
-						CAP_BIT(TEXTURE_GATHER), 0},
-					[TAPS_FETCH] = {"fetch", "four fetches", 0, 0},
-				},
-		},
+	 * OpenGL ES 3.0: 10 bits of depth over the light's range, 10 of alpha. Framebuffer fetch
+	 * comes last since it was not seen to be faster. */
+	[DRIVER_SMOOTHIE] = {"smoothie", "a smoothie buffer", {
+		[SMOOTHIE_RG16F] = {"rg16f", "MIN blending in RG16F",
+			CAP_BIT(MIN_RG16F), GL_RG16F},
+		[SMOOTHIE_RG32F] = {"rg32f", "MIN blending in RG32F",
+			CAP_BIT(MIN_RG32F), GL_RG32F},
+		[SMOOTHIE_RGB10_A2] = {"rgb10_a2", "MIN blending in RGB10_A2",
+			CAP_BIT(MIN_RGB10_A2), GL_RGB10_A2},
+		[SMOOTHIE_RGBA8] = {"rgba8", "MIN blending of alpha in RGBA8, depth by its test",
+			CAP_BIT(MIN_RGBA8) | CAP_BIT(DEPTH_FETCH), GL_RGBA8},
+		[SMOOTHIE_DEPTH_TEST] = {"depth-test", "alpha by the depth test, and depth",
+			CAP_BIT(FRAG_DEPTH_MIN) | CAP_BIT(DEPTH_FETCH), GL_DEPTH_COMPONENT24},
+		[SMOOTHIE_FETCH] = {"fetch", "a minimum that shaders take in RG16F",
+			CAP_BIT(FETCH_RG16F), GL_RG16F},
+	}},
+	[DRIVER_DEPTH] = {"depth", "depths of a shadow map read without comparing", {
+		[DEPTH_TEXTURE] = {"texture", "from the depth texture, by near and far",
+			CAP_BIT(DEPTH_FETCH), 0},
+		[DEPTH_R32F] = {"r32f", "R32F beside it",
+			CAP_BIT(RENDER_R32F) | CAP_BIT(HIGHP_SAMPLER), GL_R32F},
+		[DEPTH_R16F] = {"r16f", "linear in R16F beside it, from the middle",
+			CAP_BIT(RENDER_R16F), GL_R16F},
+		[DEPTH_RGBA8] = {"rgba8", "32 bits in RGBA8 beside it", 0, GL_RGBA8},
+	}},
+	[DRIVER_COMPARISON] = {"comparison", "comparisons at four texels, blended", {
+		[COMPARISON_SAMPLER] = {"sampler", "sampler2DShadow", CAP_BIT(SHADOW_FILTER), 0},
+		[COMPARISON_GATHER] = {"gather", "textureGather", CAP_BIT(TEXTURE_GATHER), 0},
+		[COMPARISON_FETCH] = {"fetch", "four fetches", 0, 0},
+	}},
+	[DRIVER_TAPS] = {"taps", "four texels apart", {
+		[TAPS_GATHER] = {"gather", "textureGather", CAP_BIT(TEXTURE_GATHER), 0},
+		[TAPS_FETCH] = {"fetch", "four fetches", 0, 0},
+	}},
 	/* The square of a depth takes twice its digits: 16 bits tell no two depths apart that are
 	 * nearer than a hundredth of the light's range. */
-	[DRIVER_MOMENTS] =
-		{
-			.name = "moments",
-			.what = "the moments of depth of vsm",
-			.ways =
-				{
-					[MOMENTS_RG32F] = {"rg32f", "RG32F, filtered",
-						CAP_BIT(FILTER_RG32F), GL_RG32F},
-					[MOMENTS_RG32F_FETCH] = {"rg32f-fetch",
-						"RG32F, four fetches", CAP_BIT(RENDER_RG32F),
-						GL_RG32F},
-					[MOMENTS_RG16F] = {"rg16f", "RG16F, filtered",
-						CAP_BIT(FILTER_RG16F), GL_RG16F},
-					[MOMENTS_RG16F_FETCH] = {"rg16f-fetch",
-						"RG16F, four fetches", CAP_BIT(RENDER_RG16F),
-						GL_RG16F},
-				},
-		},
-	[DRIVER_COPY] =
-		{
-			.name = "copy",
-			.what = "a copy to a screen",
-			.ways =
-				{
-					[COPY_STORED] = {"stored", "as stored",
-						CAP_BIT(SRGB_STORED), 0},
-					[COPY_ENCODE] = {"encode", "decoded and encoded again", 0,
-						0},
-				},
-		},
+	[DRIVER_MOMENTS] = {"moments", "the moments of depth of vsm", {
+		[MOMENTS_RG32F] = {"rg32f", "RG32F, filtered",
+			CAP_BIT(FILTER_RG32F), GL_RG32F},
+		[MOMENTS_RG32F_FETCH] = {"rg32f-fetch", "RG32F, four fetches",
+			CAP_BIT(RENDER_RG32F), GL_RG32F},
+		[MOMENTS_RG16F] = {"rg16f", "RG16F, filtered",
+			CAP_BIT(FILTER_RG16F), GL_RG16F},
+		[MOMENTS_RG16F_FETCH] = {"rg16f-fetch", "RG16F, four fetches",
+			CAP_BIT(RENDER_RG16F), GL_RG16F},
+	}},
+	[DRIVER_COPY] = {"copy", "a copy to a screen", {
+		[COPY_STORED] = {"stored", "as stored", CAP_BIT(SRGB_STORED), 0},
+		[COPY_ENCODE] = {"encode", "decoded and encoded again", 0, 0},
+	}},
 };
+/* clang-format on */
 
 const char *need_name(size_t index)
 {

@@ -8,6 +8,8 @@
  *  these (way.c). */
 enum driver_need {
 	DRIVER_SMOOTHIE,
+	DRIVER_DEPTH,
+	DRIVER_COMPARISON,
 	DRIVER_TAPS,
 	DRIVER_MOMENTS,
 	DRIVER_COPY,
@@ -15,7 +17,16 @@ enum driver_need {
 };
 
 /* The ways of each, best first. */
-enum smoothie_way { SMOOTHIE_RG16F, SMOOTHIE_RG32F, SMOOTHIE_RGB10_A2 };
+enum smoothie_way {
+	SMOOTHIE_RG16F,
+	SMOOTHIE_RG32F,
+	SMOOTHIE_RGB10_A2,
+	SMOOTHIE_RGBA8,
+	SMOOTHIE_DEPTH_TEST,
+	SMOOTHIE_FETCH,
+};
+enum depth_way { DEPTH_TEXTURE, DEPTH_R32F, DEPTH_R16F, DEPTH_RGBA8 };
+enum comparison_way { COMPARISON_SAMPLER, COMPARISON_GATHER, COMPARISON_FETCH };
 enum taps_way { TAPS_GATHER, TAPS_FETCH };
 enum moments_way { MOMENTS_RG32F, MOMENTS_RG32F_FETCH, MOMENTS_RG16F, MOMENTS_RG16F_FETCH };
 enum copy_way { COPY_STORED, COPY_ENCODE };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/depth_map.h"
+#include <string.h>
 
 /* No caster is before the near plane: there, from this share of its distance on, all is alike. */
 #define LEAST_W 1e-3f
@@ -17,27 +18,83 @@ GLuint depth_map_create_sampler(struct gpu *gpu, enum depth_map_filter filter)
 	return gpu_create_compare_sampler(gpu, filters[filter].filter);
 }
 
+bool depth_ways_choose(struct depth_ways *ways, struct gpu *gpu, struct sm_error *error)
+{
+	static const uint32_t write[] = {
+		[DEPTH_TEXTURE] = 0,
+		[DEPTH_R32F] = FLAG_DEPTH_FLOAT,
+		[DEPTH_R16F] = FLAG_DEPTH_HALF,
+		[DEPTH_RGBA8] = FLAG_DEPTH_PACKED,
+	};
+	int depth = way_choose(gpu, DRIVER_DEPTH, error);
+	int comparison = way_choose(gpu, DRIVER_COMPARISON, error);
+	int taps = way_choose(gpu, DRIVER_TAPS, error);
+	if (depth < 0 || comparison < 0 || taps < 0)
+		return false;
+	*ways = (struct depth_ways){
+		.write = write[depth],
+		.plain = write[depth] & ~(uint32_t)FLAG_DEPTH_FLOAT,
+		.format = way_at(DRIVER_DEPTH, (size_t)depth)->format,
+		.compares_plainly = comparison == COMPARISON_FETCH,
+		.taps_plainly = taps == TAPS_FETCH,
+	};
+	ways->taps = taps == TAPS_GATHER ? FLAG_GATHER : ways->plain;
+	ways->compare = comparison == COMPARISON_SAMPLER  ? 0
+			: comparison == COMPARISON_GATHER ? FLAG_GATHER
+							  : FLAG_FOUR_FETCHES | ways->plain;
+	return true;
+}
+
+/* A colour for each depth, unless the depth texture will do. */
+static bool init_plain(struct depth_map *map, struct gpu *gpu, struct sm_error *error)
+{
+	struct gl *gl = &gpu->gl;
+	struct depth_ways ways;
+	if (!depth_ways_choose(&ways, gpu, error))
+		return false;
+	map->write = ways.write;
+	if (ways.format == 0)
+		return true;
+	if (!target_init(
+		    &map->plain, gl, map->target.size, ways.format, GL_COLOR_ATTACHMENT0, error))
+		return false;
+	gl->FramebufferTexture2D(
+		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map->target.texture, 0);
+	return true;
+}
+
 bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
-	enum depth_map_filter filter, struct sm_error *error)
+	enum depth_map_filter filter, bool plain, struct sm_error *error)
 {
 	map->filter = filter;
 	if (!target_init(&map->target, &gpu->gl, (GLsizei)size, GL_DEPTH_COMPONENT24,
 		    GL_DEPTH_ATTACHMENT, error))
 		return false;
 	map->compare = depth_map_create_sampler(gpu, filter);
-	return true;
+	return !plain || init_plain(map, gpu, error);
+}
+
+GLuint depth_map_plain_texture(const struct depth_map *map)
+{
+	return map->plain.texture != 0 ? map->plain.texture : map->target.texture;
+}
+
+static void bind_target(const struct depth_map *map, struct gl *gl)
+{
+	target_bind(map->plain.texture != 0 ? &map->plain : &map->target, gl);
 }
 
 bool depth_map_init_once(
 	struct depth_map *map, struct gpu *gpu, GLsizei size, struct sm_error *error)
 {
 	return map->target.texture != 0 ||
-	       depth_map_init(map, gpu, (uint32_t)size, DEPTH_MAP_NEAREST, error);
+	       depth_map_init(map, gpu, (uint32_t)size, DEPTH_MAP_NEAREST, true, error);
 }
 
 void depth_map_finish(struct depth_map *map, struct gpu *gpu)
 {
 	gl_delete_sampler(&gpu->gl, &map->compare);
+	target_finish(&map->plain, &gpu->gl);
 	target_finish(&map->target, &gpu->gl);
 }
 
@@ -73,21 +130,41 @@ static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
 	gl->Disable(GL_CULL_FACE);
 }
 
+/* As to_plain() of common_plain_depth.glsl has these depths. */
+static void clear(struct gl *gl, float depth, uint32_t write)
+{
+	GLfloat color[4] = {write & FLAG_DEPTH_HALF ? 2.0f * depth - 1.0f : depth, 0, 0, 1};
+	if (write & FLAG_DEPTH_PACKED) {
+		uint32_t bits;
+		memcpy(&bits, &depth, sizeof(bits));
+		for (int byte = 0; byte < 4; byte++)
+			color[byte] = (float)(bits >> (8 * byte) & 0xff) / 255.0f;
+	}
+	gl->DepthMask(GL_TRUE);
+	gl->ClearBufferfv(GL_DEPTH, 0, &depth);
+	if (write != 0)
+		gl->ClearBufferfv(GL_COLOR, 0, color);
+}
+
 bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
-	enum depth_map_content content, struct target_area area, struct sm_error *error)
+	enum depth_map_content content, uint32_t write, struct target_area area,
+	struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
-	struct program_key key = {.kind = PROGRAM_DEPTH_MAP};
+	struct program_key key = {PROGRAM_DEPTH_MAP, write};
 	bool farthest = content == DEPTH_OF_FARTHEST_RECEIVERS;
-	gl->DepthMask(GL_TRUE);
-	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){farthest ? 0.0f : 1.0f});
+	clear(gl, farthest ? 0.0f : 1.0f, write);
 	const struct program *program = program_use(&gpu->programs, gl, key, error);
 	if (program == NULL)
 		return false;
+	gl->Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(farthest ? GL_GREATER : GL_LESS);
 	target_restrict(area, gl);
+	/* Which would not leave alone the bits of a float. */
+	gl->Disable(GL_DITHER);
 	draw_casters(gpu, scene, frame, content, program);
+	gl->Enable(GL_DITHER);
 	gl->Disable(GL_SCISSOR_TEST);
 	return true;
 }
@@ -96,8 +173,9 @@ bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scen
 	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error)
 {
 	gl_push_group(&gpu->gl, content == DEPTH_OF_CASTERS ? "shadow map" : "receiver map");
-	target_bind(&map->target, &gpu->gl);
-	bool drawn = depth_map_fill(gpu, scene, frame, content, target_inside(&map->target), error);
+	bind_target(map, &gpu->gl);
+	bool drawn = depth_map_fill(
+		gpu, scene, frame, content, map->write, target_inside(&map->target), error);
 	gl_pop_group(&gpu->gl);
 	return drawn;
 }
@@ -109,9 +187,10 @@ bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const stru
 	if (!depth_map_init_once(map, gpu, size, error))
 		return false;
 	gl_push_group(&gpu->gl, "receiver map");
-	target_bind(&map->target, &gpu->gl);
+	bind_target(map, &gpu->gl);
 	target_restrict(area, &gpu->gl);
-	bool drawn = depth_map_fill(gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, area, error);
+	bool drawn =
+		depth_map_fill(gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, map->write, area, error);
 	gl_pop_group(&gpu->gl);
 	return drawn;
 }
@@ -141,6 +220,7 @@ void depth_map_set_receiver(struct gpu *gpu, GLsizei texels, enum depth_map_filt
 	float size = (float)texels, limit[2];
 	gpu->gl.Uniform2f(program->uniform.map_size, size, 1.0f / size);
 	gpu->gl.Uniform1f(program->uniform.lookup_reach, filters[filter].texels_around / size);
+	gpu->gl.Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 	set_screen(gpu, frame, program);
 	light_frame_bias_limit(frame, size, limit);
 	gpu->gl.Uniform2f(program->uniform.bias_limit, limit[0], limit[1]);
@@ -150,6 +230,7 @@ void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct l
 	const struct program *program)
 {
 	gpu_bind_texture(gpu, UNIT_DEPTH_COMPARE, map->target.texture);
+	gpu_bind_texture(gpu, UNIT_DEPTH, depth_map_plain_texture(map));
 	gpu->gl.BindSampler(UNIT_DEPTH_COMPARE, map->compare);
 	depth_map_set_receiver(gpu, map->target.size, map->filter, frame, program);
 }

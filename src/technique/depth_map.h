@@ -8,15 +8,32 @@
 /** At which texels the sampler compares. */
 enum depth_map_filter { DEPTH_MAP_NEAREST, DEPTH_MAP_LINEAR };
 
-/** A light's shadow map: a depth texture, read plainly or compared. */
-struct depth_map {
-	struct target target;
-	GLuint compare; /* sampler: LEQUAL */
-	enum depth_map_filter filter;
+/** How a driver has shadow maps looked up: flags of the programs that do. */
+struct depth_ways {
+	uint32_t write;   /* of PROGRAM_DEPTH_MAP, for maps that are read without comparing */
+	uint32_t plain;   /* to read such a map */
+	uint32_t compare; /* to compare at four texels, blended */
+	uint32_t taps;    /* to look four texels up apart */
+	GLenum format;    /* of a map that is read without comparing; 0: its depth texture */
+	bool compares_plainly, taps_plainly; /* reading without comparing */
 };
 
+/** Fails as way_choose(). */
+bool depth_ways_choose(struct depth_ways *ways, struct gpu *gpu, struct sm_error *error);
+
+/** A light's shadow map: a depth texture that is compared, and what is read plainly. */
+struct depth_map {
+	struct target target;
+	struct target
+		plain;  /* depths as colours, with the depth texture; zero: they are read there */
+	GLuint compare; /* sampler: LEQUAL */
+	enum depth_map_filter filter;
+	uint32_t write; /* flags of PROGRAM_DEPTH_MAP */
+};
+
+/** plain: whether it is read without comparing as well. */
 bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
-	enum depth_map_filter filter, struct sm_error *error);
+	enum depth_map_filter filter, bool plain, struct sm_error *error);
 void depth_map_finish(struct depth_map *map, struct gpu *gpu);
 
 /** Which objects a map holds: where there are none it is 1, or 0 where it holds the farthest. */
@@ -37,6 +54,9 @@ bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scen
 bool depth_map_init_once(
 	struct depth_map *map, struct gpu *gpu, GLsizei size, struct sm_error *error);
 
+/** The texture to be read without comparing. */
+GLuint depth_map_plain_texture(const struct depth_map *map);
+
 /** Draws what receives and does not cast within an area alone; what is around it is not touched.
  *  Initialises a zeroed map, of this size. */
 bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
@@ -53,9 +73,10 @@ void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct l
 GLuint depth_map_create_sampler(struct gpu *gpu, enum depth_map_filter filter);
 
 /** Clears the framebuffer that is bound, where nothing restricts that, and draws the objects into
- *  an area of it, restricted no more after that. */
+ *  an area of it, restricted no more after that. write: flags of PROGRAM_DEPTH_MAP. */
 bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
-	enum depth_map_content content, struct target_area area, struct sm_error *error);
+	enum depth_map_content content, uint32_t write, struct target_area area,
+	struct sm_error *error);
 
 /** Sets the uniforms of shadow_receiver.glsl for maps of `texels` a side. */
 void depth_map_set_receiver(struct gpu *gpu, GLsizei texels, enum depth_map_filter filter,

@@ -9,7 +9,7 @@ static bool hard_init(void *state, struct gpu *gpu, const struct sm_shadow_optio
 	struct sm_error *error)
 {
 	struct hard *hard = state;
-	return depth_map_init(&hard->map, gpu, options->map_size, DEPTH_MAP_NEAREST, error);
+	return depth_map_init(&hard->map, gpu, options->map_size, DEPTH_MAP_NEAREST, false, error);
 }
 
 static void hard_finish(void *state, struct gpu *gpu)

@@ -6,26 +6,37 @@
  * shadow map's memory. OpenGL ES 3.0 has at least 256 of them. */
 struct maps {
 	struct target layers;
-	GLuint compare; /* sampler: LEQUAL */
+	struct target plain; /* depths as colours, where they are read without comparing; or zero */
+	GLuint compare;      /* sampler: LEQUAL */
 	struct disc disc;
+	uint32_t write, surface_flags;
 };
 
 static bool maps_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
 	struct sm_error *error)
 {
 	struct maps *maps = state;
+	struct depth_ways ways;
+	if (!depth_ways_choose(&ways, gpu, error))
+		return false;
 	disc_init(&maps->disc, options->samples);
+	maps->surface_flags = FLAG_MAPS | ways.compare;
 	if (!target_init_layers(&maps->layers, &gpu->gl, (GLsizei)options->map_size,
 		    maps->disc.count, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
 		return false;
 	maps->compare = depth_map_create_sampler(gpu, DEPTH_MAP_LINEAR);
-	return true;
+	if (!ways.compares_plainly || ways.format == 0)
+		return true;
+	maps->write = ways.write;
+	return target_init_layers(&maps->plain, &gpu->gl, maps->layers.size, maps->disc.count,
+		ways.format, GL_COLOR_ATTACHMENT0, error);
 }
 
 static void maps_finish(void *state, struct gpu *gpu)
 {
 	struct maps *maps = state;
 	gl_delete_sampler(&gpu->gl, &maps->compare);
+	target_finish(&maps->plain, &gpu->gl);
 	target_finish(&maps->layers, &gpu->gl);
 }
 
@@ -44,6 +55,17 @@ static struct light_frame frame_of_point(const struct light_frame *frame, const 
 	return sheared;
 }
 
+static void bind_layer(const struct maps *maps, struct gl *gl, GLint layer)
+{
+	if (maps->plain.texture == 0) {
+		target_bind_layer(&maps->layers, gl, layer);
+		return;
+	}
+	target_bind_layer(&maps->plain, gl, layer);
+	gl->FramebufferTextureLayer(
+		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, maps->layers.texture, 0, layer);
+}
+
 static bool maps_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
@@ -52,8 +74,8 @@ static bool maps_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 	gl_push_group(&gpu->gl, "shadow maps");
 	for (GLsizei i = 0; i < maps->disc.count && drawn; i++) {
 		struct light_frame sheared = frame_of_point(frame, maps->disc.points[i]);
-		target_bind_layer(&maps->layers, &gpu->gl, i);
-		drawn = depth_map_fill(gpu, scene, &sheared, DEPTH_OF_CASTERS,
+		bind_layer(maps, &gpu->gl, i);
+		drawn = depth_map_fill(gpu, scene, &sheared, DEPTH_OF_CASTERS, maps->write,
 			target_inside(&maps->layers), error);
 	}
 	gl_pop_group(&gpu->gl);
@@ -62,8 +84,8 @@ static bool maps_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 
 static uint32_t maps_surface_flags(const void *state)
 {
-	(void)state;
-	return FLAG_MAPS;
+	const struct maps *maps = state;
+	return maps->surface_flags;
 }
 
 /* From the near plane to the far one. */
@@ -77,7 +99,10 @@ static void maps_bind(const void *state, struct gpu *gpu, const struct light_fra
 	const struct program *program)
 {
 	const struct maps *maps = state;
+	bool colors = maps->plain.texture != 0;
 	gpu_bind_layers(gpu, UNIT_DEPTH_LAYERS, maps->layers.texture);
+	gpu_bind_layers(
+		gpu, UNIT_PLAIN_LAYERS, colors ? maps->plain.texture : maps->layers.texture);
 	gpu->gl.BindSampler(UNIT_DEPTH_LAYERS, maps->compare);
 	depth_map_set_receiver(gpu, maps->layers.size, DEPTH_MAP_LINEAR, frame, program);
 	disc_bind(&maps->disc, gpu, frame, program);

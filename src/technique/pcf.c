@@ -15,12 +15,12 @@ static bool pcf_init(void *state, struct gpu *gpu, const struct sm_shadow_option
 {
 	struct pcf *pcf = state;
 	bool bicubic = options->samples == BICUBIC_SAMPLES;
-	int taps = way_choose(gpu, DRIVER_TAPS, error);
-	if (taps < 0)
+	struct depth_ways ways;
+	if (!depth_ways_choose(&ways, gpu, error))
 		return false;
-	uint32_t gather = taps == TAPS_GATHER ? FLAG_GATHER : 0;
-	pcf->surface_flags = bicubic ? FLAG_BICUBIC | gather : FLAG_HARD;
-	return depth_map_init(&pcf->map, gpu, options->map_size, DEPTH_MAP_LINEAR, error);
+	bool plain = bicubic ? ways.taps_plainly : ways.compares_plainly;
+	pcf->surface_flags = bicubic ? FLAG_BICUBIC | ways.taps : FLAG_HARD | ways.compare;
+	return depth_map_init(&pcf->map, gpu, options->map_size, DEPTH_MAP_LINEAR, plain, error);
 }
 
 static void pcf_finish(void *state, struct gpu *gpu)
@@ -55,7 +55,6 @@ static void pcf_bind(const void *state, struct gpu *gpu, const struct light_fram
 {
 	const struct pcf *pcf = state;
 	depth_map_bind(&pcf->map, gpu, frame, program);
-	gpu_bind_texture(gpu, UNIT_DEPTH, pcf->map.target.texture);
 }
 
 const struct technique technique_pcf = {

@@ -6,14 +6,19 @@
 struct pcss {
 	struct depth_map map;
 	struct disc disc;
+	uint32_t surface_flags;
 };
 
 static bool pcss_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
 	struct sm_error *error)
 {
 	struct pcss *pcss = state;
+	struct depth_ways ways;
+	if (!depth_ways_choose(&ways, gpu, error))
+		return false;
 	disc_init(&pcss->disc, options->samples);
-	return depth_map_init(&pcss->map, gpu, options->map_size, DEPTH_MAP_LINEAR, error);
+	pcss->surface_flags = FLAG_PCSS | ways.plain | ways.compare;
+	return depth_map_init(&pcss->map, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error);
 }
 
 static void pcss_finish(void *state, struct gpu *gpu)
@@ -31,8 +36,8 @@ static bool pcss_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 
 static uint32_t pcss_surface_flags(const void *state)
 {
-	(void)state;
-	return FLAG_PCSS;
+	const struct pcss *pcss = state;
+	return pcss->surface_flags;
 }
 
 /* The region that is searched from the far plane. Off a spot's axis the disc looks longer. */
@@ -48,7 +53,6 @@ static void pcss_bind(const void *state, struct gpu *gpu, const struct light_fra
 {
 	const struct pcss *pcss = state;
 	depth_map_bind(&pcss->map, gpu, frame, program);
-	gpu_bind_texture(gpu, UNIT_DEPTH, pcss->map.target.texture);
 	disc_bind(&pcss->disc, gpu, frame, program);
 }
 

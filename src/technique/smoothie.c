@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "gles/probe.h"
 #include "technique/smoothie_state.h"
 
 #define FALLOFF_SIZE 256
@@ -21,28 +22,50 @@ static void make_falloff(struct smoothie *smoothie, struct gl *gl)
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+/* Takes the way that the driver has the minimum found in. */
+static bool choose_way(struct smoothie *smoothie, struct gpu *gpu,
+	const struct sm_shadow_options *options, uint32_t fin_flags, struct sm_error *error)
+{
+	struct depth_ways ways;
+	smoothie->way = way_choose(gpu, DRIVER_SMOOTHIE, error);
+	if (smoothie->way < 0 || !depth_ways_choose(&ways, gpu, error))
+		return false;
+	bool by_depth_test = smoothie->way == SMOOTHIE_DEPTH_TEST;
+	smoothie->two_passes =
+		options->passes == 2 || smoothie->way == SMOOTHIE_RGBA8 || by_depth_test;
+	if (smoothie->two_passes && !gpu_has(gpu, CAP_DEPTH_FETCH))
+		return error_set(error, SM_ERROR_MACHINE,
+			"two smoothie passes take %s, which %s lacks", cap_name(CAP_DEPTH_FETCH),
+			gpu->caps.renderer);
+	smoothie->fin_flags = (fin_flags & FLAG_CONE) | ways.plain;
+	smoothie->alpha_flags = (options->falloff == SM_FALLOFF_SINUSOID ? FLAG_SINUSOID : 0) |
+				(by_depth_test ? FLAG_ALPHA_DEPTH : 0) |
+				(smoothie->way == SMOOTHIE_FETCH ? FLAG_FETCH : 0);
+	smoothie->surface_flags = FLAG_SMOOTHIE | ways.taps |
+				  (smoothie->two_passes ? FLAG_SEPARATE_DEPTH : 0) |
+				  (by_depth_test ? FLAG_ALPHA_DEPTH : 0);
+	return true;
+}
+
 bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
 	const struct sm_shadow_options *options, const struct fin_shape *shape, uint32_t fin_flags,
 	struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	GLsizei size = (GLsizei)options->map_size;
-	int taps = way_choose(gpu, DRIVER_TAPS, error);
-	int way = way_choose(gpu, DRIVER_SMOOTHIE, error);
-	if (taps < 0 || way < 0)
-		return false;
 	smoothie->shape = *shape;
-	smoothie->fin_flags =
-		fin_flags | (options->falloff == SM_FALLOFF_SINUSOID ? FLAG_SINUSOID : 0);
-	smoothie->two_passes = options->passes == 2;
-	smoothie->surface_flags = FLAG_SMOOTHIE | (smoothie->two_passes ? FLAG_SEPARATE_DEPTH : 0) |
-				  (taps == TAPS_GATHER ? FLAG_GATHER : 0);
+	if (!choose_way(smoothie, gpu, options, fin_flags, error))
+		return false;
 	fin_stream_init(&smoothie->fins, gpu);
 	if (options->falloff == SM_FALLOFF_SINUSOID && !(fin_flags & FLAG_CONE))
 		make_falloff(smoothie, gl);
-	if (!depth_map_init(&smoothie->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
+	if (!depth_map_init(
+		    &smoothie->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
 		!target_init(&smoothie->buffer, gl, size,
-			way_at(DRIVER_SMOOTHIE, (size_t)way)->format, GL_COLOR_ATTACHMENT0, error))
+			way_at(DRIVER_SMOOTHIE, (size_t)smoothie->way)->format,
+			smoothie->way == SMOOTHIE_DEPTH_TEST ? GL_DEPTH_ATTACHMENT
+							     : GL_COLOR_ATTACHMENT0,
+			error))
 		return false;
 	return !smoothie->two_passes || target_init(&smoothie->depth, gl, size,
 						GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error);
@@ -71,18 +94,20 @@ static bool draw_fins(struct smoothie *smoothie, struct gpu *gpu, const struct l
 	return fin_stream_draw(&smoothie->fins, gpu, error);
 }
 
-/* The paper's first pass: the nearest fin's depth, by the depth test. */
-static bool draw_depth(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
-	uint32_t flags, struct sm_error *error)
+/* Draws fins into a cleared depth texture: the least is kept. */
+static bool draw_by_depth_test(struct smoothie *smoothie, struct gpu *gpu,
+	const struct light_frame *frame, const struct target *target, uint32_t flags,
+	struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
-	target_bind(&smoothie->depth, gl);
+	target_bind(target, gl);
+	gl->Disable(GL_SCISSOR_TEST);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	gl->DepthMask(GL_TRUE);
 	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
-	return draw_fins(
-		smoothie, gpu, frame, (flags & ~(uint32_t)FLAG_SINUSOID) | FLAG_DEPTH_ONLY, error);
+	target_restrict(target_inside(target), gl);
+	return draw_fins(smoothie, gpu, frame, flags, error);
 }
 
 static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
@@ -94,13 +119,29 @@ static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
 	gl->Disable(GL_SCISSOR_TEST);
 	gl->Disable(GL_DEPTH_TEST);
 	gl->ClearBufferfv(GL_COLOR, 0, lit);
-	gl->Enable(GL_BLEND);
+	if (smoothie->way != SMOOTHIE_FETCH)
+		gl->Enable(GL_BLEND);
 	gl->BlendEquation(GL_MIN);
 	target_restrict(target_inside(&smoothie->buffer), gl);
 	bool drawn = draw_fins(smoothie, gpu, frame, flags, error);
 	gl->BlendEquation(GL_FUNC_ADD);
 	gl->Disable(GL_BLEND);
 	return drawn;
+}
+
+/* flags: of PROGRAM_FIN. */
+static bool draw_buffer(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
+	uint32_t flags, struct sm_error *error)
+{
+	uint32_t depth_flags = (flags & ~(uint32_t)FLAG_CONE) | FLAG_DEPTH_ONLY;
+	uint32_t alpha_flags = flags | smoothie->alpha_flags;
+	if (smoothie->two_passes &&
+		!draw_by_depth_test(smoothie, gpu, frame, &smoothie->depth, depth_flags, error))
+		return false;
+	return smoothie->way == SMOOTHIE_DEPTH_TEST
+		       ? draw_by_depth_test(
+				 smoothie, gpu, frame, &smoothie->buffer, alpha_flags, error)
+		       : draw_minimum(smoothie, gpu, frame, alpha_flags, error);
 }
 
 bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
@@ -121,11 +162,10 @@ bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene
 			return false;
 	}
 	gl_push_group(&gpu->gl, "smoothies");
-	gpu_bind_texture(gpu, UNIT_DEPTH, smoothie->casters.target.texture);
-	gpu_bind_texture(gpu, UNIT_RECEIVER, smoothie->receivers.target.texture);
+	gpu_bind_texture(gpu, UNIT_DEPTH, depth_map_plain_texture(&smoothie->casters));
+	gpu_bind_texture(gpu, UNIT_RECEIVER, depth_map_plain_texture(&smoothie->receivers));
 	gpu_bind_texture(gpu, UNIT_FALLOFF, smoothie->falloff);
-	bool drawn = (!smoothie->two_passes || draw_depth(smoothie, gpu, frame, flags, error)) &&
-		     draw_minimum(smoothie, gpu, frame, flags, error);
+	bool drawn = draw_buffer(smoothie, gpu, frame, flags, error);
 	gpu->gl.Disable(GL_SCISSOR_TEST);
 	gl_pop_group(&gpu->gl);
 	return drawn;
@@ -154,10 +194,8 @@ void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame 
 {
 	const struct smoothie *smoothie = state;
 	depth_map_bind(&smoothie->casters, gpu, frame, program);
-	gpu_bind_texture(gpu, UNIT_DEPTH, smoothie->casters.target.texture);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE, smoothie->buffer.texture);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE_DEPTH, smoothie->depth.texture);
-	gpu->gl.Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 }
 
 static bool init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,

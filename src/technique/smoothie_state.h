@@ -7,18 +7,20 @@
 
 /** Chan & Durand 2003. The smoothie buffer holds linear depth and alpha'. Minimum is what both are
  *  reduced by, nearest depth and darkest alpha, so that one MIN-blended pass fills it; with
- *  options.passes = 2 it is filled as in the paper, by a depth-tested pass and a MIN-blended one.
- */
+ *  options.passes = 2, or where the driver leaves no other way, it is filled as in the paper, by a
+ *  depth-tested pass and another for alpha'. */
 struct smoothie {
 	struct depth_map casters;
 	struct depth_map receivers; /* of objects that only receive: made when there are any */
 	struct target buffer;
-	struct target depth; /* with two passes */
+	struct target depth; /* with two passes; the buffer then has alpha' alone */
 	GLuint falloff;      /* table of the sinusoid */
 	struct fin_stream fins;
 	struct fin_shape shape;
+	int way; /* enum smoothie_way */
 	bool two_passes;
-	uint32_t fin_flags, surface_flags;
+	uint32_t fin_flags, surface_flags; /* of all programs of that kind */
+	uint32_t alpha_flags;              /* of the fins that alpha' is of */
 };
 
 /** For a zeroed one. fin_flags: of PROGRAM_FIN, beside those that options ask for. */

@@ -12,7 +12,7 @@ struct two_sided {
 	struct target buffer;
 	struct target nearness; /* the buffer's depth attachment: 0 at an edge, 1 where no fin is */
 	struct fin_stream fins;
-	uint32_t surface_flags;
+	uint32_t surface_flags, plain_flags;
 };
 
 /* Each texel that a surface in the penumbra looks up, 1.42 texels off at most, knows the edge. */
@@ -24,12 +24,14 @@ static bool two_sided_init(void *state, struct gpu *gpu, const struct sm_shadow_
 	struct two_sided *two_sided = state;
 	struct gl *gl = &gpu->gl;
 	GLsizei size = (GLsizei)options->map_size;
-	int taps = way_choose(gpu, DRIVER_TAPS, error);
-	if (taps < 0)
+	struct depth_ways ways;
+	if (!depth_ways_choose(&ways, gpu, error))
 		return false;
-	two_sided->surface_flags = FLAG_TWO_SIDED | (taps == TAPS_GATHER ? FLAG_GATHER : 0);
+	two_sided->surface_flags = FLAG_TWO_SIDED | ways.taps;
+	two_sided->plain_flags = ways.plain;
 	fin_stream_init(&two_sided->fins, gpu);
-	if (!depth_map_init(&two_sided->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
+	if (!depth_map_init(
+		    &two_sided->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
 		!target_init(&two_sided->nearness, gl, size, GL_DEPTH_COMPONENT24,
 			GL_DEPTH_ATTACHMENT, error) ||
 		!target_init(
@@ -72,6 +74,7 @@ static bool draw_fins(struct two_sided *two_sided, struct gpu *gpu, const struct
 	gl->Uniform1f(
 		program->uniform.spread, fin_stream_spread(frame, two_sided->casters.target.size));
 	gl->Uniform1f(program->uniform.apron, fin_shape.apron);
+	gl->Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	target_restrict(target_inside(&two_sided->buffer), gl);
@@ -85,20 +88,20 @@ static bool two_sided_prepare(void *state, struct gpu *gpu, const struct sm_scen
 {
 	struct two_sided *two_sided = state;
 	GLsizei size = two_sided->casters.target.size;
-	uint32_t flags = 0;
+	uint32_t flags = two_sided->plain_flags;
 	if (!depth_map_draw(&two_sided->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
 		!fin_stream_update(&two_sided->fins, gpu, scene, frame, &fin_shape, size, error))
 		return false;
 	if (two_sided->fins.set.vertex_count > 0 &&
 		depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
-		flags = FLAG_RECEIVER_MAP;
+		flags |= FLAG_RECEIVER_MAP;
 		if (!depth_map_draw_receivers(&two_sided->receivers, gpu, scene, frame, size,
 			    fin_stream_area(&two_sided->fins, size), error))
 			return false;
 	}
 	gl_push_group(&gpu->gl, "smoothies");
-	gpu_bind_texture(gpu, UNIT_DEPTH, two_sided->casters.target.texture);
-	gpu_bind_texture(gpu, UNIT_RECEIVER, two_sided->receivers.target.texture);
+	gpu_bind_texture(gpu, UNIT_DEPTH, depth_map_plain_texture(&two_sided->casters));
+	gpu_bind_texture(gpu, UNIT_RECEIVER, depth_map_plain_texture(&two_sided->receivers));
 	clear_buffer(two_sided, &gpu->gl);
 	bool drawn = draw_fins(two_sided, gpu, frame, flags, error);
 	gl_pop_group(&gpu->gl);
@@ -128,7 +131,6 @@ static void two_sided_bind(const void *state, struct gpu *gpu, const struct ligh
 {
 	const struct two_sided *two_sided = state;
 	depth_map_bind(&two_sided->casters, gpu, frame, program);
-	gpu_bind_texture(gpu, UNIT_DEPTH, two_sided->casters.target.texture);
 	gpu_bind_texture(gpu, UNIT_FINS, two_sided->buffer.texture);
 	gpu->gl.Uniform1f(
 		program->uniform.spread, fin_stream_spread(frame, two_sided->casters.target.size));

@@ -9,7 +9,7 @@ struct vsm {
 	struct target moments;      /* blurred both ways */
 	GLint blur_radius;          /* texels */
 	float min_variance;
-	uint32_t surface_flags;
+	uint32_t surface_flags, plain_flags;
 };
 
 /* Of depths in [-1/2, 1/2]: a variance below these may be none, for their squares' rounding. */
@@ -22,15 +22,17 @@ static bool vsm_init(void *state, struct gpu *gpu, const struct sm_shadow_option
 	struct vsm *vsm = state;
 	struct gl *gl = &gpu->gl;
 	GLsizei size = (GLsizei)options->map_size;
+	struct depth_ways ways;
 	int way = way_choose(gpu, DRIVER_MOMENTS, error);
-	if (way < 0)
+	if (way < 0 || !depth_ways_choose(&ways, gpu, error))
 		return false;
+	vsm->plain_flags = ways.plain;
 	GLenum format = way_at(DRIVER_MOMENTS, (size_t)way)->format;
 	bool filtered = way == MOMENTS_RG32F || way == MOMENTS_RG16F;
 	vsm->blur_radius = (GLint)options->samples / 2;
 	vsm->min_variance = format == GL_RG32F ? MIN_VARIANCE_32F : MIN_VARIANCE_16F;
 	vsm->surface_flags = FLAG_VSM | (filtered ? 0 : FLAG_FOUR_FETCHES);
-	if (!depth_map_init(&vsm->map, gpu, options->map_size, DEPTH_MAP_LINEAR, error) ||
+	if (!depth_map_init(&vsm->map, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
 		!target_init(&vsm->rows, gl, size, format, GL_COLOR_ATTACHMENT0, error) ||
 		!target_init(&vsm->moments, gl, size, format, GL_COLOR_ATTACHMENT0, error))
 		return false;
@@ -59,7 +61,7 @@ static bool draw_receivers(struct vsm *vsm, struct gpu *gpu, const struct sm_sce
 }
 
 static bool blur(const struct vsm *vsm, struct gpu *gpu, const struct light_frame *frame,
-	const struct target *from, const struct target *to, uint32_t flags, struct sm_error *error)
+	GLuint from, const struct target *to, uint32_t flags, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	struct program_key key = {.kind = PROGRAM_BLUR, .flags = flags};
@@ -73,7 +75,7 @@ static bool blur(const struct vsm *vsm, struct gpu *gpu, const struct light_fram
 	target_bind(to, gl);
 	gl->ClearBufferfv(GL_COLOR, 0, far_plane);
 	target_restrict(target_inside(to), gl);
-	gpu_fill_viewport(gpu, from->texture);
+	gpu_fill_viewport(gpu, from);
 	gl->Disable(GL_SCISSOR_TEST);
 	return true;
 }
@@ -84,16 +86,17 @@ static bool vsm_prepare(void *state, struct gpu *gpu, const struct sm_scene *sce
 	struct vsm *vsm = state;
 	if (!depth_map_draw(&vsm->map, gpu, scene, frame, DEPTH_OF_CASTERS, error))
 		return false;
-	uint32_t flags = FLAG_FROM_DEPTH;
+	uint32_t flags = FLAG_FROM_DEPTH | vsm->plain_flags;
 	if (depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
 		flags |= FLAG_RECEIVER_MAP;
 		if (!draw_receivers(vsm, gpu, scene, frame, error))
 			return false;
 	}
 	gl_push_group(&gpu->gl, "blur");
-	gpu_bind_texture(gpu, UNIT_RECEIVER, vsm->receivers.target.texture);
-	bool drawn = blur(vsm, gpu, frame, &vsm->map.target, &vsm->rows, flags, error) &&
-		     blur(vsm, gpu, frame, &vsm->rows, &vsm->moments, 0, error);
+	gpu_bind_texture(gpu, UNIT_RECEIVER, depth_map_plain_texture(&vsm->receivers));
+	bool drawn = blur(vsm, gpu, frame, depth_map_plain_texture(&vsm->map), &vsm->rows, flags,
+			     error) &&
+		     blur(vsm, gpu, frame, vsm->rows.texture, &vsm->moments, 0, error);
 	gl_pop_group(&gpu->gl);
 	return drawn;
 }
@@ -117,7 +120,6 @@ static void vsm_bind(const void *state, struct gpu *gpu, const struct light_fram
 	const struct vsm *vsm = state;
 	depth_map_set_receiver(gpu, vsm->map.target.size, DEPTH_MAP_LINEAR, frame, program);
 	gpu_bind_texture(gpu, UNIT_MOMENTS, vsm->moments.texture);
-	gpu->gl.Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 	gpu->gl.Uniform1f(program->uniform.min_variance, vsm->min_variance);
 }
 

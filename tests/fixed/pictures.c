@@ -63,8 +63,6 @@ static void built_in_scenes_are_close_to_floats(void **state)
 {
 	struct rig *rig = *state;
 	const struct sm_shadow_options options = {.map_size = MAP_SIZE};
-	if (!visibility_is_blended(rig))
-		skip();
 	for (size_t i = 0; builtin_name(i) != NULL; i++) {
 		char source[64];
 		snprintf(source, sizeof(source), "builtin:%s", builtin_name(i));
@@ -89,8 +87,6 @@ static void every_kind_of_penumbra_is_close_to_floats(void **state)
 		{"point", {"light.radius=0"}, {.map_size = MAP_SIZE}},
 		{"tiny map", {"light.radius=1"}, {.map_size = 7}},
 	};
-	if (!visibility_is_blended(rig))
-		skip();
 	for (size_t i = 0; i < sizeof(kinds) / sizeof(kinds[0]); i++) {
 		size_t count = kinds[i].settings[1] != NULL ? 2 : 1;
 		struct stage stage = stage_of("builtin:boxes", kinds[i].settings, count);

@@ -37,6 +37,9 @@ static const struct {
 	{FLAG_FROM_DEPTH, "FROM_DEPTH"},
 	{FLAG_ALPHA_DEPTH, "ALPHA_DEPTH"},
 	{FLAG_FETCH, "FETCH"},
+	{FLAG_DEPTH_FLOAT, "DEPTH_FLOAT"},
+	{FLAG_DEPTH_HALF, "DEPTH_HALF"},
+	{FLAG_DEPTH_PACKED, "DEPTH_PACKED"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -112,22 +115,28 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	/* A colour, a depth, or the lesser of what is there and a colour. */
 	assert_int_equal(counts[PROGRAM_PROBE_DRAW], 3);
 	assert_int_equal(counts[PROGRAM_PROBE_READ], 2);
-	assert_int_equal(counts[PROGRAM_DEPTH_MAP], 1);
+	/* No colours, or depths as floats of 32 or 16 bits, or as bytes. */
+	assert_int_equal(counts[PROGRAM_DEPTH_MAP], 4);
 	assert_int_equal(counts[PROGRAM_COPY], 1);
 	/* Fewer bits than 8, as many, or more; as stored, or decoded and encoded again. */
 	assert_int_equal(counts[PROGRAM_SCREEN], 3 * 2);
-	/* With and without a receiver map: linear or sinusoid, of cones or not; depth only. */
-	assert_int_equal(counts[PROGRAM_FIN], 2 * (2 * 2 + 1));
-	assert_int_equal(counts[PROGRAM_TWO_SIDED_FIN], 2);
+	/* As they are, linear in 16 bits, or packed. */
+	const size_t plain = 3;
+	/* With and without a receiver map: linear or sinusoid, of cones or not, with a minimum by
+	 * blending, depth test or shader; depth only. */
+	assert_int_equal(counts[PROGRAM_FIN], plain * 2 * (2 * 2 * 3 + 1));
+	assert_int_equal(counts[PROGRAM_TWO_SIDED_FIN], plain * 2);
 	/* Across, with and without a receiver map, and up. */
-	assert_int_equal(counts[PROGRAM_BLUR], 3);
-	const size_t shadows = 1 + /* hard */
-			       4 + /* smoothies with or without their own depth and gathering */
-			       2 + /* two-sided smoothies with or without gathering */
-			       2 + /* bicubic, likewise */
-			       1 + /* pcss */
-			       1 + /* maps */
-			       2;  /* variance maps, filtered or fetched */
+	assert_int_equal(counts[PROGRAM_BLUR], plain * 2 + 1);
+	const size_t taps = 1 + plain;       /* gathered, or fetched from plain depths */
+	const size_t comparison = 2 + plain; /* by the sampler, gathered, or fetched */
+	const size_t shadows = comparison +  /* hard */
+			       3 * taps +    /* smoothies, with no or own depth, or alpha too */
+			       taps +        /* two-sided smoothies */
+			       taps +        /* bicubic */
+			       3 * plain +   /* pcss: plain depths, and one of three comparisons */
+			       comparison +  /* maps */
+			       2;            /* variance maps, filtered or fetched */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	assert_int_equal(counts[PROGRAM_SURFACE], (2 + shadows) * (1 + 2 * 2));
 }
@@ -171,12 +180,22 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SMOOTHIE},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_TWO_SIDED},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_BICUBIC | FLAG_PCSS},
-		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_PCSS | FLAG_GATHER},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_VSM | FLAG_GATHER},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_FOUR_FETCHES},
+		{PROGRAM_SURFACE,
+			FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_GATHER | FLAG_FOUR_FETCHES},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_DEPTH_HALF},
+		{PROGRAM_SURFACE,
+			FLAG_LIT | FLAG_SHADOWED | FLAG_PCSS | FLAG_DEPTH_HALF | FLAG_DEPTH_PACKED},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_ALPHA_DEPTH},
+		{PROGRAM_SURFACE, FLAG_DEPTH_HALF},
+		{PROGRAM_FIN, FLAG_ALPHA_DEPTH | FLAG_FETCH},
+		{PROGRAM_FIN, FLAG_DEPTH_ONLY | FLAG_ALPHA_DEPTH},
+		{PROGRAM_DEPTH_MAP, FLAG_DEPTH_FLOAT | FLAG_DEPTH_HALF},
+		{PROGRAM_BLUR, FLAG_DEPTH_PACKED},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_VSM | FLAG_MAPS},
-		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_MAPS | FLAG_FOUR_FETCHES},
 		{PROGRAM_BLUR, FLAG_RECEIVER_MAP}, /* of what is blurred already */
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},
-		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_GATHER},
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_TEXTURED},
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_ENCODE_SRGB},
 		{PROGRAM_SURFACE, FLAG_END},
@@ -188,7 +207,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 static void names_tell_variants_apart(void **state)
 {
 	(void)state;
-	char text[256], cut[8];
+	char text[320], cut[8];
 	struct program_key key = {PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD};
 	assert_string_equal(program_key_name(key, text, sizeof(text)), "surface LIT SHADOWED HARD");
 	assert_string_equal(program_key_name(key, cut, sizeof(cut)), "surface");

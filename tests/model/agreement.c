@@ -6,6 +6,7 @@
 #include "likeness.h"
 #include "load/builtin.h"
 #include "parts.h"
+#include "renderer.h"
 #include "visibility.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -40,7 +41,7 @@ static const struct look {
 	{"penumbra-map", {.technique = "penumbra-map"}},
 	{"smooth cones", {.technique = "penumbra-map", .falloff = SM_FALLOFF_SINUSOID}},
 	{"hard", {.technique = "hard"}},
-	{"pcf 4", {.technique = "pcf", .samples = 4}, LINEAR},
+	{"pcf 4", {.technique = "pcf", .samples = 4}},
 	{"pcf 16", {.technique = "pcf", .samples = 16}},
 	{"pcss 16", {.technique = "pcss", .samples = 16}, LINEAR},
 	{"pcss 32", {.technique = "pcss", .samples = 32}, LINEAR},
@@ -65,7 +66,8 @@ static void check(const char *scene, const char *look, const struct likeness *fo
 static void compare(struct rig *rig, const char *name, const struct sm_scene *scene,
 	const struct sm_camera *camera, const struct look *looked, size_t count)
 {
-	bool blended = visibility_is_blended(rig);
+	int way = way_choose(&rig->renderer->gpu, DRIVER_COMPARISON, NULL);
+	bool blended = way == COMPARISON_SAMPLER;
 	for (size_t i = 0; i < count; i++) {
 		struct sm_shadow_options options = looked[i].options;
 		options.map_size = 512;
