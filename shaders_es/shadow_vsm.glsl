@@ -8,23 +8,26 @@ uniform float min_variance;   // what rounding may take
 const float BLEEDING = 0.1;
 
 #ifdef FOUR_FETCHES
+vec4 moments_at(int x, int y)
+{
+	// A map of one texel has its corner beside the map.
+	return texelFetch(moment_map, max(ivec2(x, y), 0), 0);
+}
+
 vec2 filtered_moments(vec2 at)
 {
 	vec2 texel = clamp(at * map_size.x - 0.5, vec2(0.0), vec2(map_size.x - 1.0));
 	vec2 corner = min(floor(texel), vec2(map_size.x - 2.0));
 	vec2 f = texel - corner;
-	// A map of one texel has its corner beside the map.
-	ivec2 low = max(ivec2(corner), ivec2(0)), high = ivec2(corner) + 1;
-	vec2 lower = mix(texelFetch(moment_map, low, 0).rg,
-		texelFetch(moment_map, ivec2(high.x, low.y), 0).rg, f.x);
-	vec2 upper = mix(texelFetch(moment_map, ivec2(low.x, high.y), 0).rg,
-		texelFetch(moment_map, high, 0).rg, f.x);
-	return mix(lower, upper, f.y);
+	ivec2 low = ivec2(corner), high = low + 1;
+	vec4 lower = mix(moments_at(low.x, low.y), moments_at(high.x, low.y), f.x);
+	vec4 upper = mix(moments_at(low.x, high.y), moments_at(high.x, high.y), f.x);
+	return from_moments(mix(lower, upper, f.y));
 }
 #else
 vec2 filtered_moments(vec2 at)
 {
-	return textureLod(moment_map, at, 0.0).rg;
+	return from_moments(textureLod(moment_map, at, 0.0));
 }
 #endif
 

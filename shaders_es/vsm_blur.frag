@@ -6,7 +6,7 @@ uniform sampler2D receiver_map; // the farthest of what receives and does not ca
 #endif
 uniform int blur_radius; // texels on each side
 
-layout(location = 0) out vec4 moments;
+layout(location = 0) out vec4 blurred;
 
 #ifdef FROM_DEPTH
 const ivec2 DIRECTION = ivec2(1, 0);
@@ -27,7 +27,7 @@ const ivec2 DIRECTION = ivec2(0, 1);
 
 vec2 moments_at(ivec2 texel)
 {
-	return texelFetch(base_texture, texel, 0).rg;
+	return from_moments(texelFetch(base_texture, texel, 0));
 }
 #endif
 
@@ -37,5 +37,5 @@ void main()
 	vec2 sum = vec2(0.0);
 	for (int i = -blur_radius; i <= blur_radius; i++)
 		sum += moments_at(clamp(texel + i * DIRECTION, ivec2(0), last));
-	moments = vec4(sum / float(2 * blur_radius + 1), 0.0, 1.0);
+	blurred = to_moments(sum / float(2 * blur_radius + 1));
 }

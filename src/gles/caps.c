@@ -47,11 +47,11 @@ static const struct cap_info infos[CAP_COUNT] = {
 	[CAP_RENDER_R32F] = {.name = "render_r32f", .any = FLOAT_TARGETS},
 	[CAP_RENDER_R16F] = {.name = "render_r16f", .any = HALF_TARGETS},
 	[CAP_RENDER_RG32F] = {.name = "render_rg32f", .any = FLOAT_TARGETS},
-	[CAP_RENDER_RG16F] = {.name = "render_rg16f", .any = HALF_TARGETS},
+	[CAP_RENDER_RGBA16F] = {.name = "render_rgba16f", .any = HALF_TARGETS},
 	[CAP_FILTER_RG32F] = {.name = "filter_rg32f",
 		.any = FLOAT_TARGETS,
 		.also = CAP_BIT(TEXTURE_FLOAT_LINEAR)},
-	[CAP_FILTER_RG16F] = {.name = "filter_rg16f", .any = HALF_TARGETS},
+	[CAP_FILTER_RGBA16F] = {.name = "filter_rgba16f", .any = HALF_TARGETS},
 	[CAP_SRGB_STORED] = {.name = "srgb_stored", .any = CAP_BIT(TEXTURE_SRGB_DECODE)},
 };
 

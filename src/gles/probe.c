@@ -58,9 +58,9 @@ static const struct color_probe color_probes[CAP_COUNT] = {
 	[CAP_RENDER_R32F] = {GL_R32F, 1, STEP_32F, .wanted = overwritten},
 	[CAP_RENDER_R16F] = {GL_R16F, 1, STEP_16F, .wanted = overwritten},
 	[CAP_RENDER_RG32F] = {GL_RG32F, 2, STEP_32F, .wanted = overwritten},
-	[CAP_RENDER_RG16F] = {GL_RG16F, 2, STEP_16F, .wanted = overwritten},
+	[CAP_RENDER_RGBA16F] = {GL_RGBA16F, 2, STEP_16F, .wanted = overwritten},
 	[CAP_FILTER_RG32F] = {GL_RG32F, 2, STEP_32F, .filtered = true, .wanted = overwritten},
-	[CAP_FILTER_RG16F] = {GL_RG16F, 2, STEP_16F, .filtered = true, .wanted = overwritten},
+	[CAP_FILTER_RGBA16F] = {GL_RGBA16F, 2, STEP_16F, .filtered = true, .wanted = overwritten},
 };
 
 #define STORED_BYTE 128

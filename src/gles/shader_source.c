@@ -40,6 +40,7 @@ static const struct {
 	FLAG(DEPTH_FLOAT),
 	FLAG(DEPTH_HALF),
 	FLAG(DEPTH_PACKED),
+	FLAG(SPLIT),
 #undef FLAG
 };
 
@@ -100,12 +101,12 @@ static const struct {
 	[PROGRAM_BLUR] =
 		{
 			.name = "blur",
-			.flags = FLAG_FROM_DEPTH | FLAG_RECEIVER_MAP | PLAIN_FLAGS,
+			.flags = FLAG_FROM_DEPTH | FLAG_RECEIVER_MAP | PLAIN_FLAGS | FLAG_SPLIT,
 			.parts =
 				{
 					{{"copy.vert"}},
 					{{"common_light_depth.glsl"}, {"common_plain_depth.glsl"},
-						{"vsm_blur.frag"}},
+						{"common_moments.glsl"}, {"vsm_blur.frag"}},
 				},
 		},
 	[PROGRAM_TWO_SIDED_FIN] =
@@ -127,7 +128,7 @@ static const struct {
 			.name = "surface",
 			.flags = FLAG_LIT | FLAG_SHADOWED | SHADOW_FLAGS | FLAG_SEPARATE_DEPTH |
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
-				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS,
+				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -146,6 +147,7 @@ static const struct {
 						{"shadow_bicubic.glsl", FLAG_BICUBIC},
 						{"shadow_pcss.glsl", FLAG_PCSS},
 						{"shadow_maps.glsl", FLAG_MAPS},
+						{"common_moments.glsl", FLAG_VSM},
 						{"shadow_vsm.glsl", FLAG_VSM},
 						{"surface.frag"},
 					},
@@ -207,6 +209,7 @@ static bool surface_is_valid(uint32_t flags)
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
 	       implies(flags, FLAG_ALPHA_DEPTH, FLAG_SEPARATE_DEPTH) &&
+	       implies(flags, FLAG_SPLIT, FLAG_VSM) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
 	       excludes(flags, FLAG_GATHER, FLAG_FOUR_FETCHES) &&
@@ -228,7 +231,7 @@ bool program_key_is_valid(struct program_key key)
 			       FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH) &&
 		       excludes(flags, FLAG_ALPHA_DEPTH, FLAG_FETCH);
 	case PROGRAM_BLUR:
-		return flags == 0 || flags & FLAG_FROM_DEPTH;
+		return !(flags & (FLAG_RECEIVER_MAP | PLAIN_FLAGS)) || flags & FLAG_FROM_DEPTH;
 	case PROGRAM_SCREEN:
 		return excludes(flags, FLAG_DITHER, FLAG_WIDEN);
 	default:

@@ -56,7 +56,8 @@ enum program_flag {
 	FLAG_DEPTH_FLOAT = 1 << 25,
 	FLAG_DEPTH_HALF = 1 << 26,
 	FLAG_DEPTH_PACKED = 1 << 27,
-	FLAG_END = 1 << 28,
+	FLAG_SPLIT = 1 << 28,
+	FLAG_END = 1 << 29,
 };
 
 struct program_key {

@@ -49,17 +49,18 @@ static const struct {
 		[TAPS_GATHER] = {"gather", "textureGather", CAP_BIT(TEXTURE_GATHER), 0},
 		[TAPS_FETCH] = {"fetch", "four fetches", 0, 0},
 	}},
-	/* The square of a depth takes twice its digits: 16 bits tell no two depths apart that are
-	 * nearer than a hundredth of the light's range. */
+	/* The square of a depth takes twice its digits: in 16 bits alone it would tell no two depths
+	 * apart that are nearer than a hundredth of the light's range. */
 	[DRIVER_MOMENTS] = {"moments", "the moments of depth of vsm", {
 		[MOMENTS_RG32F] = {"rg32f", "RG32F, filtered",
 			CAP_BIT(FILTER_RG32F), GL_RG32F},
 		[MOMENTS_RG32F_FETCH] = {"rg32f-fetch", "RG32F, four fetches",
 			CAP_BIT(RENDER_RG32F), GL_RG32F},
-		[MOMENTS_RG16F] = {"rg16f", "RG16F, filtered",
-			CAP_BIT(FILTER_RG16F), GL_RG16F},
-		[MOMENTS_RG16F_FETCH] = {"rg16f-fetch", "RG16F, four fetches",
-			CAP_BIT(RENDER_RG16F), GL_RG16F},
+		[MOMENTS_RGBA16F] = {"rgba16f", "RGBA16F, two channels each, filtered",
+			CAP_BIT(FILTER_RGBA16F), GL_RGBA16F},
+		[MOMENTS_RGBA16F_FETCH] = {"rgba16f-fetch",
+			"RGBA16F, two channels each, four fetches",
+			CAP_BIT(RENDER_RGBA16F), GL_RGBA16F},
 	}},
 	[DRIVER_COPY] = {"copy", "a copy to a screen", {
 		[COPY_STORED] = {"stored", "as stored", CAP_BIT(SRGB_STORED), 0},

@@ -9,12 +9,12 @@ struct vsm {
 	struct target moments;      /* blurred both ways */
 	GLint blur_radius;          /* texels */
 	float min_variance;
-	uint32_t surface_flags, plain_flags;
+	uint32_t surface_flags, blur_flags, plain_flags;
 };
 
 /* Of depths in [-1/2, 1/2]: a variance below these may be none, for their squares' rounding. */
 #define MIN_VARIANCE_32F 1e-6f
-#define MIN_VARIANCE_16F 2e-4f
+#define MIN_VARIANCE_SPLIT 4e-6f
 
 static bool vsm_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
 	struct sm_error *error)
@@ -28,10 +28,12 @@ static bool vsm_init(void *state, struct gpu *gpu, const struct sm_shadow_option
 		return false;
 	vsm->plain_flags = ways.plain;
 	GLenum format = way_at(DRIVER_MOMENTS, (size_t)way)->format;
-	bool filtered = way == MOMENTS_RG32F || way == MOMENTS_RG16F;
+	bool split = way >= MOMENTS_RGBA16F;
+	bool filtered = way == MOMENTS_RG32F || way == MOMENTS_RGBA16F;
 	vsm->blur_radius = (GLint)options->samples / 2;
-	vsm->min_variance = format == GL_RG32F ? MIN_VARIANCE_32F : MIN_VARIANCE_16F;
-	vsm->surface_flags = FLAG_VSM | (filtered ? 0 : FLAG_FOUR_FETCHES);
+	vsm->min_variance = split ? MIN_VARIANCE_SPLIT : MIN_VARIANCE_32F;
+	vsm->blur_flags = split ? FLAG_SPLIT : 0;
+	vsm->surface_flags = FLAG_VSM | vsm->blur_flags | (filtered ? 0 : FLAG_FOUR_FETCHES);
 	if (!depth_map_init(&vsm->map, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
 		!target_init(&vsm->rows, gl, size, format, GL_COLOR_ATTACHMENT0, error) ||
 		!target_init(&vsm->moments, gl, size, format, GL_COLOR_ATTACHMENT0, error))
@@ -64,14 +66,14 @@ static bool blur(const struct vsm *vsm, struct gpu *gpu, const struct light_fram
 	GLuint from, const struct target *to, uint32_t flags, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
-	struct program_key key = {.kind = PROGRAM_BLUR, .flags = flags};
+	struct program_key key = {.kind = PROGRAM_BLUR, .flags = flags | vsm->blur_flags};
 	const struct program *program = program_use(&gpu->programs, gl, key, error);
 	if (program == NULL)
 		return false;
 	gl->Uniform1i(program->uniform.blur_radius, vsm->blur_radius);
 	gl->Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 	/* The far plane, for what lies beside the screen. */
-	static const GLfloat far_plane[4] = {0.5f, 0.25f, 0.0f, 1.0f};
+	static const GLfloat far_plane[4] = {0.5f, 0.25f};
 	target_bind(to, gl);
 	gl->ClearBufferfv(GL_COLOR, 0, far_plane);
 	target_restrict(target_inside(to), gl);

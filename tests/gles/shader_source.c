@@ -40,6 +40,7 @@ static const struct {
 	{FLAG_DEPTH_FLOAT, "DEPTH_FLOAT"},
 	{FLAG_DEPTH_HALF, "DEPTH_HALF"},
 	{FLAG_DEPTH_PACKED, "DEPTH_PACKED"},
+	{FLAG_SPLIT, "SPLIT"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -126,8 +127,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	 * blending, depth test or shader; depth only. */
 	assert_int_equal(counts[PROGRAM_FIN], plain * 2 * (2 * 2 * 3 + 1));
 	assert_int_equal(counts[PROGRAM_TWO_SIDED_FIN], plain * 2);
-	/* Across, with and without a receiver map, and up. */
-	assert_int_equal(counts[PROGRAM_BLUR], plain * 2 + 1);
+	/* Across, with and without a receiver map, and up; each of whole values or split ones. */
+	assert_int_equal(counts[PROGRAM_BLUR], 2 * (plain * 2 + 1));
 	const size_t taps = 1 + plain;       /* gathered, or fetched from plain depths */
 	const size_t comparison = 2 + plain; /* by the sampler, gathered, or fetched */
 	const size_t shadows = comparison +  /* hard */
@@ -136,7 +137,7 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 			       taps +        /* bicubic */
 			       3 * plain +   /* pcss: plain depths, and one of three comparisons */
 			       comparison +  /* maps */
-			       2;            /* variance maps, filtered or fetched */
+			       2 * 2; /* variance maps, filtered or fetched, whole or split */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	assert_int_equal(counts[PROGRAM_SURFACE], (2 + shadows) * (1 + 2 * 2));
 }

@@ -53,7 +53,7 @@ static void half_floats_tell_shadow_from_light(void **state)
 {
 	struct rig *rig = *state;
 	add_block(rig);
-	struct visibility seen = draw(rig, "moments=rg16f");
+	struct visibility seen = draw(rig, "moments=rgba16f");
 	assert_true(visibility_at(&seen, SIZE / 4, SIZE / 2) < 0.1);
 	for (uint32_t y = 0; y < SIZE; y++)
 		assert_true(visibility_at(&seen, SIZE - 4, y) == 1.0);
