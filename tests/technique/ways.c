@@ -17,35 +17,38 @@
 
 #include <cmocka.h>
 
-#define TECHNIQUES_MAX 6
+#define USES_MAX 7
 #define WAYS_MAX 8
 
 /* A technique that has the need, and how. */
 struct use {
-	const char *technique; /* NULL: none further */
-	uint32_t samples;
-	const char *path; /* forced besides; may be NULL */
+	struct sm_shadow_options shadow; /* no technique: none further */
+	const char *path;                /* forced besides; may be NULL */
 };
 
 /* Mean |dv| that is allowed beside the best way: of 16F, 32F and depth; of 8 and 10 bits. */
 #define FLOAT_LIMIT 0.002
 #define FIXED_LIMIT 0.006
 
+#define SMOOTHIE .technique = "smoothie"
+
 /* By the names of needs; "copy" is that of tests/renderer/screen.c. */
 static const struct {
 	const char *need;
-	struct use uses[TECHNIQUES_MAX + 1];
+	struct use uses[USES_MAX + 1];
 } cases[] = {
-	{"smoothie", {{"smoothie", 0, NULL}, {"penumbra-map", 0, NULL}}},
-	{"depth", {{"smoothie", 0, NULL}, {"smoothie", 0, "taps=fetch"},
-			  {"smoothie-two-sided", 0, NULL}, {"pcf", 4, "comparison=fetch"},
-			  {"pcss", 16, NULL}, {"vsm", 5, NULL}}},
-	{"comparison",
-		{{"pcf", 4, NULL}, {"smoothie", 0, NULL}, {"pcss", 16, NULL}, {"maps", 4, NULL}}},
-	{"taps", {{"smoothie", 0, NULL}, {"smoothie-two-sided", 0, NULL}, {"pcf", 16, NULL}}},
-	{"moments", {{"vsm", 5, NULL}}},
+	{"smoothie", {{{SMOOTHIE}}, {{SMOOTHIE, .falloff = SM_FALLOFF_SINUSOID}},
+			     {{SMOOTHIE, .passes = 2}}, {{.technique = "penumbra-map"}}}},
+	{"depth", {{{SMOOTHIE}}, {{SMOOTHIE}, "taps=fetch"}, {{.technique = "smoothie-two-sided"}},
+			  {{.technique = "pcf"}, "comparison=fetch"}, {{.technique = "pcss"}},
+			  {{.technique = "vsm"}},
+			  {{.technique = "maps", .samples = 4}, "comparison=fetch"}}},
+	{"comparison", {{{.technique = "pcf"}}, {{SMOOTHIE}}, {{.technique = "pcss"}},
+			       {{.technique = "maps", .samples = 4}}}},
+	{"taps", {{{SMOOTHIE}}, {{.technique = "smoothie-two-sided"}},
+			 {{.technique = "pcf", .samples = 16}}}},
+	{"moments", {{{.technique = "vsm"}}}},
 };
-#define CASES (sizeof(cases) / sizeof(cases[0]))
 
 static double limit_of(const char *way)
 {
@@ -86,8 +89,9 @@ struct place {
 struct field {
 	struct rig *rig;
 	size_t need, item;
-	struct sm_renderer *renderers[WAYS_MAX][TECHNIQUES_MAX];
+	struct sm_renderer *renderers[WAYS_MAX][USES_MAX];
 	double worst[WAYS_MAX]; /* on the scene at hand; below 0: the driver cannot */
+	bool differs[WAYS_MAX]; /* somewhere, by a bit */
 	bool broken;
 };
 
@@ -98,11 +102,10 @@ static void draw(struct field *field, size_t way, size_t use, const struct place
 {
 	struct rig *rig = field->rig;
 	struct sm_renderer *own = rig->renderer;
-	const struct use *how = &cases[field->item].uses[use];
+	struct sm_shadow_options shadow = cases[field->item].uses[use].shadow;
+	shadow.map_size = 2 * side;
 	rig->renderer = field->renderers[way][use];
-	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = how->technique,
-				     .map_size = 2 * side,
-				     .samples = how->samples});
+	rig_set_shadows(rig, &shadow);
 	visibility_draw(seen, rig, place->stage.scene, &place->stage.camera, side, side);
 	rig->renderer = own;
 }
@@ -121,15 +124,17 @@ static void compare_ways(struct field *field, size_t use, const struct place *pl
 			field->worst[way] = 0;
 			continue;
 		}
-		double mean = visibility_compare(&best, &seen).mean;
+		struct visibility_change change = visibility_compare(&best, &seen);
+		double mean = change.mean;
 		visibility_finish(&seen);
+		field->differs[way] = field->differs[way] || change.differing > 0;
 		if (mean > field->worst[way])
 			field->worst[way] = mean;
 		if (mean > limit_of(sm_way_name(field->need, way))) {
 			field->broken = true;
 			print_error("%s=%s, %s, on %s: mean |dv| %.5f\n", cases[field->item].need,
 				sm_way_name(field->need, way),
-				cases[field->item].uses[use].technique, place->name, mean);
+				cases[field->item].uses[use].shadow.technique, place->name, mean);
 		}
 	}
 	visibility_finish(&best);
@@ -141,7 +146,7 @@ static void check_place(struct field *field, const struct place *place)
 	size_t used = (size_t)snprintf(row, sizeof(row), "%-20.20s", place->name);
 	for (size_t way = 0; way < WAYS_MAX; way++)
 		field->worst[way] = -1;
-	for (size_t use = 0; cases[field->item].uses[use].technique != NULL; use++)
+	for (size_t use = 0; cases[field->item].uses[use].shadow.technique != NULL; use++)
 		compare_ways(field, use, place);
 	for (size_t way = 0; sm_way_name(field->need, way) != NULL; way++)
 		used += field->worst[way] < 0
@@ -163,7 +168,7 @@ static void print_head(const struct field *field)
 
 static void make_renderers(struct field *field)
 {
-	for (size_t use = 0; cases[field->item].uses[use].technique != NULL; use++)
+	for (size_t use = 0; cases[field->item].uses[use].shadow.technique != NULL; use++)
 		for (size_t way = 0; sm_way_name(field->need, way) != NULL; way++)
 			field->renderers[way][use] = make_renderer(cases[field->item].need,
 				sm_way_name(field->need, way), cases[field->item].uses[use].path);
@@ -171,6 +176,20 @@ static void make_renderers(struct field *field)
 
 static struct place places[64];
 static size_t place_count;
+
+/* Where a way rounds more coarsely some pixel tells; else it was not taken at all. */
+static void check_rounding(const struct field *field, const char *need)
+{
+	static const struct {
+		const char *need, *way;
+	} coarse[] = {{"smoothie", "rgb10_a2"}, {"smoothie", "rgba8"}, {"depth", "r16f"}};
+	const char *name;
+	for (size_t way = 0; (name = sm_way_name(field->need, way)) != NULL; way++)
+		for (size_t i = 0; i < sizeof(coarse) / sizeof(coarse[0]); i++)
+			if (field->renderers[way][0] != NULL && strcmp(coarse[i].need, need) == 0 &&
+				strcmp(coarse[i].way, name) == 0)
+				assert_true(field->differs[way]);
+}
 
 static void check_need(struct rig *rig, const char *need)
 {
@@ -181,8 +200,9 @@ static void check_need(struct rig *rig, const char *need)
 	print_head(&field);
 	for (size_t i = 0; i < place_count; i++)
 		check_place(&field, &places[i]);
+	check_rounding(&field, need);
 	for (size_t way = 0; way < WAYS_MAX; way++)
-		for (size_t use = 0; use < TECHNIQUES_MAX; use++)
+		for (size_t use = 0; use < USES_MAX; use++)
 			sm_renderer_destroy(field.renderers[way][use]);
 	assert_false(field.broken);
 }
