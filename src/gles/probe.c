@@ -331,12 +331,25 @@ static void run(struct gpu *gpu, enum cap cap)
 	gl->Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
 
+static bool is_open(struct caps *caps, enum cap cap)
+{
+	return !caps->found[cap].known && !caps_rule_out(caps, cap);
+}
+
+/* A driver may take long to compile for a first draw: what draws no colours of its own takes along
+ * the cap that is most likely asked for next. */
+static enum cap companion(struct gpu *gpu, enum cap cap)
+{
+	bool alone = color_probes[cap].format != 0 || cap == CAP_SRGB_STORED ||
+		     cap == CAP_FRAG_DEPTH_MIN || !is_open(&gpu->caps, CAP_MIN_RG16F);
+	return alone ? cap : CAP_MIN_RG16F;
+}
+
 bool gpu_has(struct gpu *gpu, enum cap cap)
 {
-	const struct cap_finding *finding = &gpu->caps.found[cap];
-	if (!finding->known && !caps_rule_out(&gpu->caps, cap))
-		run(gpu, cap);
-	return finding->there;
+	if (is_open(&gpu->caps, cap))
+		run(gpu, companion(gpu, cap));
+	return gpu->caps.found[cap].there;
 }
 
 void probe_describe(struct gpu *gpu, sm_fact fact, void *data)

@@ -158,7 +158,7 @@ static int choose(struct gpu *gpu, enum driver_need need)
 		enum cap cap = lacking_cap(gpu, way);
 		if (cap == CAP_COUNT)
 			return (int)i + 1;
-		log_info("%s: not by %s, for want of %s", needs[need].what, way->summary,
+		log_info("need %s: not %s, for want of %s", needs[need].name, way->name,
 			cap_name(cap));
 	}
 	return 0;

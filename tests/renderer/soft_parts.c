@@ -242,13 +242,6 @@ static const struct {
 };
 #define VIEWS (sizeof(views) / sizeof(views[0]))
 
-/* Where the sampler does not blend comparisons, an ordinary shadow map has edges of its own. */
-static void skip_unless_blended(struct rig *rig)
-{
-	if (!visibility_is_blended(rig))
-		skip();
-}
-
 static void describe(char text[100], const struct sm_light_desc *light, const char *view)
 {
 	snprintf(text, 100, "%s, seen from %s", light->name, view);
@@ -270,7 +263,6 @@ static void check_views(struct census *census, struct rig *rig, const struct sm_
 
 static void parts_look_like_the_whole(void **state)
 {
-	skip_unless_blended(*state);
 	struct rig *rig = *state;
 	add_things(rig->scene, PART_BOTH, false);
 	parts_add_light(rig->scene, &lights[0]);
@@ -316,7 +308,6 @@ static void check_somewhere(struct census *census, struct rig *rig, uint64_t *ra
 /* With maps of all sizes, fins of constant width, and a ground that casts no shadow. */
 static void parts_look_like_the_whole_from_anywhere(void **state)
 {
-	skip_unless_blended(*state);
 	struct rig *rig = *state;
 	uint64_t random = 41;
 	add_things(rig->scene, PART_RECEIVES, false);
@@ -346,7 +337,6 @@ static void load(struct stage *stage, const char *name)
 
 static void parts_of_built_in_scenes_look_like_the_whole(void **state)
 {
-	skip_unless_blended(*state);
 	struct rig *rig = *state;
 	for (size_t i = 0; i < WAYS; i++) {
 		struct census census = {0};
@@ -413,7 +403,6 @@ static void add_dimmed_lights(struct sm_scene *scene)
 /* Added up light by light: each pixel once for each. */
 static void parts_of_many_lights_add_up(void **state)
 {
-	skip_unless_blended(*state);
 	struct rig *rig = *state;
 	rig_set_shadows(rig, &small_map);
 	add_things(rig->scene, PART_BOTH, false);
@@ -496,7 +485,6 @@ static size_t check_reach(struct rig *rig)
  * the nearer of several surfaces for a blocker, casting or not. */
 static void techniques_darken_no_farther_than_their_reach(void **state)
 {
-	skip_unless_blended(*state);
 	struct rig *rig = *state;
 	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
 		&(struct pose){{20, 1, 20}, 0, {0, 0, 0}});
@@ -517,7 +505,6 @@ static void techniques_darken_no_farther_than_their_reach(void **state)
  * the triangle, where less may be drawn: a few such pixels, but no lines along the parts. */
 static void parts_of_many_lights_add_up_in_samples(void **state)
 {
-	skip_unless_blended(*state);
 	struct rig *rig = *state;
 	rig_set_shadows(rig, &small_map);
 	add_things(rig->scene, PART_BOTH, false);

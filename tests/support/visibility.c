@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "visibility.h"
 #include "canvas.h"
-#include "parts.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -60,26 +59,4 @@ struct visibility_change visibility_compare(const struct visibility *a, const st
 		change.differing += a->values[i] != b->values[i];
 	}
 	return change;
-}
-
-bool visibility_is_blended(struct rig *rig)
-{
-	enum { SIZE = 64 };
-	struct sm_scene *scene = sm_scene_create();
-	struct sm_camera overhead = {.eye = {0, 5, 0}, .up = {0, 0, 1}, .fov = 40};
-	struct sm_light_desc lamp = {.position = {0, 4, 0}, .angle = 60};
-	struct visibility seen;
-	uint32_t between = 0;
-	parts_add_object(scene, parts_add_square(scene), PART_RECEIVES,
-		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
-	parts_add_object(scene, parts_add_square(scene), PART_CASTS,
-		&(struct pose){{0.4f, 1, 0.4f}, 20, {0, 1, 0}});
-	parts_add_light(scene, &lamp);
-	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "pcf", .map_size = 64});
-	visibility_draw(&seen, rig, scene, &overhead, SIZE, SIZE);
-	for (size_t i = 0; i < SIZE * SIZE; i++)
-		between += seen.values[i] > 0 && seen.values[i] < 65535;
-	visibility_finish(&seen);
-	sm_scene_destroy(scene);
-	return between > 0;
 }

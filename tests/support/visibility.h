@@ -28,8 +28,4 @@ struct visibility_change {
 
 struct visibility_change visibility_compare(const struct visibility *a, const struct visibility *b);
 
-/** OpenGL ES leaves it to the driver whether the sampler blends four comparisons. Changes the rig's
- *  shadow options. */
-bool visibility_is_blended(struct rig *rig);
-
 #endif

@@ -217,14 +217,6 @@ static void check_study(struct rig *rig, const struct study *study)
 	}
 }
 
-/* The sampler's blend of four, which the study has, is left to the driver. */
-static void check_blended(struct rig *rig, const struct study *study)
-{
-	if (!visibility_is_blended(rig))
-		skip();
-	check_study(rig, study);
-}
-
 static void hard_shadows_are_as_wrong_as_in_the_study(void **state)
 {
 	check_study(*state, &hard);
@@ -232,7 +224,7 @@ static void hard_shadows_are_as_wrong_as_in_the_study(void **state)
 
 static void filtered_shadows_are_as_wrong_as_in_the_study(void **state)
 {
-	check_blended(*state, &pcf);
+	check_study(*state, &pcf);
 }
 
 static void bicubic_shadows_are_as_wrong_as_in_the_study(void **state)
@@ -252,12 +244,12 @@ static void sinusoid_smoothies_are_as_wrong_as_in_the_study(void **state)
 
 static void pcss_with_16_samples_is_no_worse_than_in_the_study(void **state)
 {
-	check_blended(*state, &pcss_16);
+	check_study(*state, &pcss_16);
 }
 
 static void pcss_with_32_samples_is_no_worse_than_in_the_study(void **state)
 {
-	check_blended(*state, &pcss_32);
+	check_study(*state, &pcss_32);
 }
 
 static void variance_maps_blurred_by_5_are_as_wrong_as_in_the_study(void **state)
@@ -272,17 +264,17 @@ static void variance_maps_blurred_by_9_are_as_wrong_as_in_the_study(void **state
 
 static void four_maps_are_no_worse_than_in_the_study(void **state)
 {
-	check_blended(*state, &maps_4);
+	check_study(*state, &maps_4);
 }
 
 static void sixteen_maps_are_no_worse_than_in_the_study(void **state)
 {
-	check_blended(*state, &maps_16);
+	check_study(*state, &maps_16);
 }
 
 static void sixty_four_maps_are_no_worse_than_in_the_study(void **state)
 {
-	check_blended(*state, &maps_64);
+	check_study(*state, &maps_64);
 }
 
 static void two_sided_smoothies_are_no_more_wrong_than_in_the_study(void **state)

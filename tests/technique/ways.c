@@ -5,6 +5,7 @@
  */
 #include "load/builtin.h"
 #include "load/stage.h"
+#include "parts.h"
 #include "platform.h"
 #include "visibility.h"
 #include <GLES3/gl3.h>
@@ -232,6 +233,26 @@ static void moments_of_every_way_look_alike(void **state)
 	check_need(*state, "moments");
 }
 
+/* OpenGL ES leaves it to the driver whether a sampler blends four comparisons. */
+static void comparisons_are_blended_on_every_driver(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_camera overhead = {.eye = {0, 5, 0}, .up = {0, 0, 1}, .fov = 40};
+	struct visibility seen;
+	uint32_t between = 0;
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_CASTS,
+		&(struct pose){{0.4f, 1, 0.4f}, 20, {0, 1, 0}});
+	parts_add_light(rig->scene, &(struct sm_light_desc){.position = {0, 4, 0}, .angle = 60});
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "pcf", .map_size = 64});
+	visibility_draw(&seen, rig, rig->scene, &overhead, 64, 64);
+	for (size_t i = 0; i < 64 * 64; i++)
+		between += seen.values[i] > 0 && seen.values[i] < 65535;
+	visibility_finish(&seen);
+	assert_true(between > 0);
+}
+
 static void add_place(const char *source, const char *name)
 {
 	struct place *place = &places[place_count];
@@ -281,6 +302,7 @@ static int set_up(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		rig_test(comparisons_are_blended_on_every_driver),
 		ways_test(smoothies_of_every_way_look_alike),
 		ways_test(plain_depths_of_every_way_look_alike),
 		ways_test(comparisons_of_every_way_look_alike),
