@@ -27,8 +27,9 @@ enum reading {
 static const float first[2] = {0.3f, 0.7f}, second[2] = {0.6f, 0.45f};
 static const float overwritten[2] = {0.6f, 0.45f}, minimum[2] = {0.3f, 0.45f};
 
-/* The shadow map: all at the first depth but texel (1, 0). Compared with 1/2, that one is dark. */
-static const float depths[2] = {2.0f / 3.0f, 1.0f / 3.0f};
+/* The shadow map: all at the first depth but texel (1, 0). Compared with 1/2, that one is dark.
+ * Neither is near a number of 16 bits. */
+static const float depths[2] = {0.7f, 0.3f};
 #define DEPTH_STEP (2.0f / 16777216.0f)
 
 /* A map of floats, the rows from the lower one. */
@@ -79,8 +80,7 @@ static const struct {
 	int count;
 	struct expectation expectations[EXPECTATIONS_MAX];
 } common_probes[] = {
-	{CAP_DEPTH_FETCH, 2,
-		{{READ_DEPTH, 2.0f / 3.0f, DEPTH_STEP}, {READ_DEPTH + 1, 1.0f / 3.0f, DEPTH_STEP}}},
+	{CAP_DEPTH_FETCH, 2, {{READ_DEPTH, 0.7f, DEPTH_STEP}, {READ_DEPTH + 1, 0.3f, DEPTH_STEP}}},
 	{CAP_SHADOW_FILTER, 1, {{READ_SHADOW, 0.25f, 1.0f / 32.0f}}},
 	{CAP_HIGHP_SAMPLER, 1, {{READ_FLOAT, 0.12345679f, 0.0f}}},
 	{CAP_TEXTURE_GATHER, 8,
