@@ -42,7 +42,7 @@ static const struct {
 			     {{SMOOTHIE, .passes = 2}}, {{.technique = "penumbra-map"}}}},
 	{"depth", {{{SMOOTHIE}}, {{SMOOTHIE}, "taps=fetch"}, {{.technique = "smoothie-two-sided"}},
 			  {{.technique = "pcf"}, "comparison=fetch"}, {{.technique = "pcss"}},
-			  {{.technique = "vsm"}},
+			  {{.technique = "vsm"}, "moments=rg32f-fetch"},
 			  {{.technique = "maps", .samples = 4}, "comparison=fetch"}}},
 	{"comparison", {{{.technique = "pcf"}}, {{SMOOTHIE}}, {{.technique = "pcss"}},
 			       {{.technique = "maps", .samples = 4}}}},
@@ -53,7 +53,7 @@ static const struct {
 
 static double limit_of(const char *way)
 {
-	bool fixed = strncmp(way, "rgb", 3) == 0;
+	bool fixed = strcmp(way, "rgb10_a2") == 0 || strcmp(way, "rgba8") == 0;
 	return fixed ? FIXED_LIMIT : FLOAT_LIMIT;
 }
 
@@ -92,7 +92,7 @@ struct field {
 	size_t need, item;
 	struct sm_renderer *renderers[WAYS_MAX][USES_MAX];
 	double worst[WAYS_MAX]; /* on the scene at hand; below 0: the driver cannot */
-	bool differs[WAYS_MAX]; /* somewhere, by a bit */
+	bool differs[WAYS_MAX]; /* somewhere, by a bit; or it is the best */
 	bool broken;
 };
 
@@ -123,6 +123,7 @@ static void compare_ways(struct field *field, size_t use, const struct place *pl
 		if (best.values == NULL) {
 			best = seen;
 			field->worst[way] = 0;
+			field->differs[way] = true;
 			continue;
 		}
 		struct visibility_change change = visibility_compare(&best, &seen);
