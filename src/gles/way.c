@@ -174,7 +174,7 @@ int way_choose(struct gpu *gpu, enum driver_need need, struct sm_error *error)
 	return gpu->ways.chosen[need] - 1;
 }
 
-/* "MIN blending in RGB10_A2 (rgb10_a2); not rg16f: min_rg16f is taken away" */
+/* "rgb10_a2 (MIN blending in RGB10_A2); rg16f was not taken because min_rg16f: taken away" */
 static void describe(struct gpu *gpu, enum driver_need need, char *text, size_t size)
 {
 	int index = way_choose(gpu, need, NULL);

@@ -424,7 +424,7 @@ static void (*get_spoiling_proc(const char *name))(void)
 }
 
 /* With the first shader, the second, ... until there is none left to spoil; how many failed.
- * Without a probe's the driver is drawn on in another way. */
+ * Where it is a probe's, another way may be taken. */
 static unsigned int spoil_one_by_one(struct rig *rig, const char *technique)
 {
 	const struct sm_shadow_options options = {.technique = technique};
