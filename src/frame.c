@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "accumulator.h"
 #include "base/array.h"
 #include "scene/camera.h"
 #include "surface_pass.h"
@@ -102,19 +101,31 @@ static bool check_view(const struct sm_renderer *renderer, const struct sm_scene
 	return true;
 }
 
+/* Copies it, sRGB-encoded, into the framebuffer that is bound. */
+static bool copy_accumulator(struct sm_renderer *renderer, struct sm_error *error)
+{
+	struct gpu *gpu = &renderer->gpu;
+	struct program_key key = {.kind = PROGRAM_COPY};
+	if (program_use(&gpu->programs, &gpu->gl, key, error) == NULL)
+		return false;
+	gpu_fill_viewport(gpu, renderer->accumulator.color);
+	return true;
+}
+
 /* Adding lights up takes linear light, which blending has on sRGB framebuffers alone. */
 static bool draw_by_accumulator(
 	struct surface_pass *pass, const struct sm_view *view, struct sm_error *error)
 {
 	struct gpu *gpu = &pass->renderer->gpu;
-	struct accumulator *accumulator = &pass->renderer->accumulator;
+	struct picture *accumulator = &pass->renderer->accumulator;
 	pass->flags = 0;
-	if (!accumulator_bind(accumulator, &gpu->gl, view->width, view->height, error) ||
+	if (!picture_resize(
+		    accumulator, &gpu->gl, view->width, view->height, GL_SRGB8_ALPHA8, error) ||
 		!draw_lights(pass, 0, (uint32_t)pass->scene->light_count, accumulator->framebuffer,
 			error))
 		return false;
 	gpu->gl.BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
-	return accumulator_copy(accumulator, gpu, error);
+	return copy_accumulator(pass->renderer, error);
 }
 
 static bool draw_view(struct surface_pass *pass, const struct sm_view *view, struct sm_error *error)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "renderer.h"
-#include "accumulator.h"
 #include "base/log.h"
 #include "gles/probe.h"
 #include <stdlib.h>
@@ -32,7 +31,7 @@ void sm_renderer_destroy(struct sm_renderer *renderer)
 	if (renderer == NULL)
 		return;
 	shadow_set_finish(&renderer->shadows, &renderer->gpu);
-	accumulator_finish(&renderer->accumulator, &renderer->gpu.gl);
+	picture_finish(&renderer->accumulator, &renderer->gpu.gl);
 	gpu_finish(&renderer->gpu);
 	local_scene_finish(&renderer->local);
 	draw_order_finish(&renderer->order);

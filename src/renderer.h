@@ -2,16 +2,10 @@
 #ifndef RENDERER_H
 #define RENDERER_H
 
+#include "gles/picture.h"
 #include "local_scene.h"
 #include "scene/draw_order.h"
 #include "shadow_set.h"
-
-/** Where several lights are added up when the caller's framebuffer cannot do that in linear
- *  light: sRGB-encoded colour, and depth. */
-struct accumulator {
-	GLuint color, depth, framebuffer;
-	uint32_t width, height;
-};
 
 /** A light of the frame. */
 struct shadowed_light {
@@ -22,7 +16,9 @@ struct shadowed_light {
 struct sm_renderer {
 	struct gpu gpu;
 	struct shadow_set shadows;
-	struct accumulator accumulator;
+	/* Where several lights are added up when the caller's framebuffer cannot do that in linear
+	 * light: sRGB-encoded. */
+	struct picture accumulator;
 	/* Working memory, kept so that a frame like the last one allocates nothing. */
 	struct local_scene local;
 	struct draw_order order;

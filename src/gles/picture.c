@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+#include "gles/picture.h"
+#include "gles/target.h"
+
+static GLuint make_texture(
+	struct picture *picture, struct gl *gl, GLsizei width, GLsizei height, GLenum format)
+{
+	GLuint texture = gl_create_texture(gl);
+	gl->ActiveTexture(GL_TEXTURE0);
+	gl->BindTexture(GL_TEXTURE_2D, texture);
+	gl->TexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+	gl->BindTexture(GL_TEXTURE_2D, 0);
+	picture->bytes += texture_bytes(format, width, height, 1);
+	return texture;
+}
+
+bool picture_init(struct picture *picture, struct gl *gl, uint32_t width, uint32_t height,
+	GLenum color_format, GLuint depth, struct sm_error *error)
+{
+	GLsizei w = (GLsizei)width, h = (GLsizei)height;
+	*picture = (struct picture){0};
+	gl_take_error(gl);
+	picture->color = make_texture(picture, gl, w, h, color_format);
+	if (depth == 0)
+		depth = picture->depth = make_texture(picture, gl, w, h, GL_DEPTH_COMPONENT24);
+	gl->target_bytes += picture->bytes;
+	picture->framebuffer = gl_create_framebuffer(gl);
+	gl->BindFramebuffer(GL_FRAMEBUFFER, picture->framebuffer);
+	gl->FramebufferTexture2D(
+		GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture->color, 0);
+	gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+	gl->Viewport(0, 0, w, h);
+	const char *problem = gl_take_error(gl);
+	if (problem == NULL &&
+		gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+		problem = "incomplete";
+	if (problem != NULL)
+		return error_set(error, SM_ERROR_MACHINE, "no framebuffer of %ux%u pixels: %s",
+			width, height, problem);
+	picture->width = width;
+	picture->height = height;
+	return true;
+}
+
+bool picture_resize(struct picture *picture, struct gl *gl, uint32_t width, uint32_t height,
+	GLenum color_format, struct sm_error *error)
+{
+	if (picture->width == width && picture->height == height) {
+		picture_bind(picture, gl);
+		return true;
+	}
+	picture_finish(picture, gl);
+	return picture_init(picture, gl, width, height, color_format, 0, error);
+}
+
+void picture_finish(struct picture *picture, struct gl *gl)
+{
+	gl_delete_framebuffer(gl, &picture->framebuffer);
+	gl_delete_texture(gl, &picture->color);
+	gl_delete_texture(gl, &picture->depth);
+	gl->target_bytes -= picture->bytes;
+	*picture = (struct picture){0};
+}
+
+void picture_bind(const struct picture *picture, struct gl *gl)
+{
+	gl->BindFramebuffer(GL_FRAMEBUFFER, picture->framebuffer);
+	gl->Viewport(0, 0, (GLsizei)picture->width, (GLsizei)picture->height);
+}
