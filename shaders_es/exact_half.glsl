@@ -77,8 +77,8 @@ uint num_add(uint a, uint b)
 {
 	uint large = max(a, b), small = min(a, b);
 	int shift = half_exponent(large) - half_exponent(small);
-	if (shift > 13)
-		return large; // the other is below an eighth of its last digit
+	if (shift > 12)
+		return large; // the other is below a quarter of its last digit
 	return half_round((half_digits(large) << shift) + half_digits(small), half_exponent(small));
 }
 

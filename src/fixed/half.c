@@ -100,8 +100,8 @@ static uint16_t add_magnitudes(uint16_t a, uint16_t b, bool subtract)
 {
 	struct parts large = parts_of(a), small = parts_of(b);
 	int shift = large.exponent - small.exponent;
-	/* b is below an eighth of a's last digit, or a quarter of the next one below a. */
-	if (shift > 13)
+	/* b is below a quarter of a's last digit, which is half of the last one just below a. */
+	if (shift > 12)
 		return a;
 	uint32_t digits = large.digits << shift;
 	digits = subtract ? digits - small.digits : digits + small.digits;
