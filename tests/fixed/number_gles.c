@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The functions of shaders_es/exact_*.glsl, on the driver that the environment chooses, against
- * those of fixed/number.h: each bit. test-fixed-number-gles [STRIDE]: with a stride, which should
- * be odd, every so manieth operand, for drivers that are slow.
+ * those of fixed/number.h, bit for bit. test-fixed-number-gles [STRIDE]: leaves operands out, for
+ * slow drivers; an odd stride keeps all low digits.
  */
 #include "fixed/number.h"
 #include "gles/shader_source.h"
@@ -208,14 +208,14 @@ static const struct number_model *models[] = {&number_fixed12, &number_half};
 
 #define INTEGER_LAST ((1u << 22) - 1)
 
-/* Small and large ones: all digits of fixed point are in [0, 2) times the divisor. */
+/* Of small integers, and of large ones in steps. */
 static void ratios_are_the_same(void **state)
 {
 	(void)state;
-	static const struct span small = {0, 1, 0, GRID_SIZE}, large = {3, 2047, 0, INTEGER_LAST};
-	static const struct span by_small = {1, 0, 1, GRID_SIZE};
-	static const struct span by_large = {1, 0, 2047, INTEGER_LAST};
-	static const struct grid grids[] = {
+	const struct span small = {0, 1, 0, GRID_SIZE}, large = {3, 2047, 0, INTEGER_LAST};
+	const struct span by_small = {1, 0, 1, GRID_SIZE};
+	const struct span by_large = {1, 0, 2047, INTEGER_LAST};
+	const struct grid grids[] = {
 		{GRID_SIZE, small, by_small, 0},
 		{GRID_SIZE, large, by_large, 0},
 		{GRID_SIZE, large, by_small, 0},
