@@ -19,12 +19,11 @@ int half_exponent(uint a)
 // Place of the highest bit of n > 0.
 int half_highest_bit(uint n)
 {
-	int place = 0;
-	for (int bits = 16; bits > 0; bits >>= 1) {
-		if (n >> (place + bits) != 0u)
-			place += bits;
-	}
-	return place;
+	int place = n >> 16 != 0u ? 16 : 0;
+	place += n >> (place + 8) != 0u ? 8 : 0;
+	place += n >> (place + 4) != 0u ? 4 : 0;
+	place += n >> (place + 2) != 0u ? 2 : 0;
+	return place + (n >> (place + 1) != 0u ? 1 : 0);
 }
 
 // The number nearest to n 2^exponent; n < 2^31, exponent >= -55. A lowest bit that stands for all
