@@ -56,7 +56,7 @@ struct fixed_fin {
 };
 
 enum fixed_receiver_kind {
-	FIXED_AWAY, /* faces away from the light */
+	FIXED_AWAY, /* faces away from the light; by smooth normals it may be lit all the same */
 	FIXED_LIT,  /* faces it, and receives no shadow */
 	FIXED_RECEIVES,
 };

@@ -137,7 +137,7 @@ static void receiver_planes(const struct field *field, double rise, const struct
 {
 	const struct fixed_cover *cover = &receiver->cover;
 	receiver->depth = field_plane(field, DEPTH, DEPTH_ONE, cover);
-	if (receiver->kind != FIXED_RECEIVES)
+	if (receiver->kind == FIXED_LIT)
 		return;
 	double scale = field_scale(field, LIGHT_X, 4, RECEIVER_BITS, cover);
 	receiver->x = field_plane(field, LIGHT_X, scale, cover);
