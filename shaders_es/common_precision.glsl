@@ -5,4 +5,5 @@ precision highp sampler2D;
 precision highp sampler2DShadow;
 precision highp usampler2D;
 precision highp sampler2DArray;
+precision highp isampler2D;
 precision highp sampler2DArrayShadow;

@@ -88,8 +88,10 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(TEXPARAMETERI, TexParameteri) \
 	X(TEXSTORAGE2D, TexStorage2D) \
 	X(TEXSTORAGE3D, TexStorage3D) \
+	X(TEXSUBIMAGE2D, TexSubImage2D) \
 	X(UNIFORM1F, Uniform1f) \
 	X(UNIFORM1I, Uniform1i) \
+	X(UNIFORM1UI, Uniform1ui) \
 	X(UNIFORM2F, Uniform2f) \
 	X(UNIFORM2FV, Uniform2fv) \
 	X(UNIFORM3F, Uniform3f) \

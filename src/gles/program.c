@@ -95,6 +95,9 @@ static void set_samplers(struct gl *gl, const struct program *program)
 	gl->Uniform1i(program->uniform.depth_layers, UNIT_DEPTH_LAYERS);
 	gl->Uniform1i(program->uniform.moment_map, UNIT_MOMENTS);
 	gl->Uniform1i(program->uniform.plain_layers, UNIT_PLAIN_LAYERS);
+	gl->Uniform1i(program->uniform.primitives, UNIT_PRIMITIVES);
+	gl->Uniform1i(program->uniform.visibility_map, UNIT_VISIBILITY);
+	gl->Uniform1i(program->uniform.visibility_depth, UNIT_VISIBILITY_DEPTH);
 }
 
 /* From the caller's store if it can be. */

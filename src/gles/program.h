@@ -15,7 +15,8 @@
 	X(fin_map) X(spread) X(apron) \
 	X(falloff) X(near_to_far) X(pole) X(quarter_turns) X(screen_max) \
 	X(disc_points) X(disc_count) X(disc_scale) X(depth_layers) X(plain_layers) \
-	X(moment_map) X(blur_radius) X(min_variance) X(probe_value)
+	X(moment_map) X(blur_radius) X(min_variance) X(probe_value) \
+	X(primitives) X(pixel_size) X(pole_depth) X(map_texels) X(visibility_map) X(visibility_depth)
 /* clang-format on */
 
 /** A linked program and where its uniforms are: -1 (which GL ignores) for absent ones. */

@@ -41,6 +41,8 @@ static const struct {
 	FLAG(DEPTH_HALF),
 	FLAG(DEPTH_PACKED),
 	FLAG(SPLIT),
+	FLAG(FIXED12),
+	FLAG(SEEN),
 #undef FLAG
 };
 
@@ -50,7 +52,7 @@ static const struct {
 /* clang-format off */
 #define SHADOW_FLAGS \
 	(FLAG_HARD | FLAG_SMOOTHIE | FLAG_TWO_SIDED | \
-	FLAG_BICUBIC | FLAG_PCSS | FLAG_MAPS | FLAG_VSM)
+	FLAG_BICUBIC | FLAG_PCSS | FLAG_MAPS | FLAG_VSM | FLAG_SEEN)
 /* clang-format on */
 
 /* Those that look up four texels apart; or that compare at four, blended. */
@@ -60,16 +62,17 @@ static const struct {
 /* In which form plain depths are read. */
 #define PLAIN_FLAGS (FLAG_DEPTH_HALF | FLAG_DEPTH_PACKED)
 
-/* Files of a stage, in order; one with flags is left out unless one of them is on. */
+/* Files of a stage, in order; one with flags is left out unless one of them is on, and where one is
+ * that it is the other choice of. */
 struct part {
 	const char *file;
-	uint32_t flags;
+	uint32_t flags, without;
 };
 
 static const struct {
 	const char *name;
 	uint32_t flags; /* that mean something */
-	struct part parts[2][16];
+	struct part parts[2][20];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -149,6 +152,8 @@ static const struct {
 						{"shadow_maps.glsl", FLAG_MAPS},
 						{"common_moments.glsl", FLAG_VSM},
 						{"shadow_vsm.glsl", FLAG_VSM},
+						{"exact_seen.glsl", FLAG_SEEN},
+						{"shadow_seen.glsl", FLAG_SEEN},
 						{"surface.frag"},
 					},
 				},
@@ -175,6 +180,55 @@ static const struct {
 			.name = "probe-read",
 			.flags = FLAG_GATHER,
 			.parts = {{{"copy.vert"}}, {{"probe_read.frag"}}},
+		},
+	[PROGRAM_EXACT_DEPTH] =
+		{
+			.name = "exact-depth",
+			.parts =
+				{
+					{{"exact_blocker.glsl"}, {"exact_raster.vert"}},
+					{{"exact_blocker.glsl"}, {"exact_common.glsl"},
+						{"exact_depth.frag"}},
+				},
+		},
+	[PROGRAM_EXACT_FIN] =
+		{
+			.name = "exact-fin",
+			.flags = FLAG_FIXED12 | FLAG_DEPTH_ONLY | FLAG_RECEIVER_MAP | FLAG_SINUSOID,
+			.parts =
+				{
+					{{"exact_smoothie.glsl"}, {"exact_raster.vert"}},
+					{
+						{"exact_smoothie.glsl"},
+						{"exact_common.glsl"},
+						{"exact_number.glsl"},
+						{"exact_half.glsl", 0, FLAG_FIXED12},
+						{"exact_fixed12.glsl", FLAG_FIXED12},
+						{"exact_fin.frag"},
+					},
+				},
+		},
+	[PROGRAM_EXACT_SURFACE] =
+		{
+			.name = "exact-surface",
+			.flags = FLAG_FIXED12 | FLAG_VISIBILITY,
+			.parts =
+				{
+					{{"exact_receiver.glsl"}, {"exact_raster.vert"}},
+					{
+						{"exact_receiver.glsl"},
+						{"exact_common.glsl"},
+						{"exact_number.glsl"},
+						{"exact_half.glsl", 0, FLAG_FIXED12},
+						{"exact_fixed12.glsl", FLAG_FIXED12},
+						{"exact_surface.frag"},
+					},
+				},
+		},
+	[PROGRAM_EXACT_COPY] =
+		{
+			.name = "exact-copy",
+			.parts = {{{"copy.vert"}}, {{"exact_seen.glsl"}, {"exact_copy.frag"}}},
 		},
 };
 
@@ -214,7 +268,7 @@ static bool surface_is_valid(uint32_t flags)
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
 	       excludes(flags, FLAG_GATHER, FLAG_FOUR_FETCHES) &&
 	       (!(flags & PLAIN_FLAGS) || reads_plainly(flags)) &&
-	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB);
+	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB | FLAG_SEEN);
 }
 
 bool program_key_is_valid(struct program_key key)
@@ -230,6 +284,8 @@ bool program_key_is_valid(struct program_key key)
 		return excludes(flags, FLAG_DEPTH_ONLY,
 			       FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH) &&
 		       excludes(flags, FLAG_ALPHA_DEPTH, FLAG_FETCH);
+	case PROGRAM_EXACT_FIN:
+		return excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID);
 	case PROGRAM_BLUR:
 		return !(flags & (FLAG_RECEIVER_MAP | PLAIN_FLAGS)) || flags & FLAG_FROM_DEPTH;
 	case PROGRAM_SCREEN:
@@ -267,7 +323,7 @@ size_t shader_parts(
 			parts[count++] = flag_names[i].define;
 	const struct part *part = programs[key.kind].parts[stage];
 	for (; part->file != NULL; part++)
-		if (part->flags == 0 || key.flags & part->flags)
+		if ((part->flags == 0 || key.flags & part->flags) && !(key.flags & part->without))
 			parts[count++] = file_text(part->file);
 	assert(count <= SHADER_PARTS_MAX);
 	return count;

@@ -22,6 +22,10 @@ enum program_kind {
 	PROGRAM_SCREEN,
 	PROGRAM_PROBE_DRAW,
 	PROGRAM_PROBE_READ,
+	PROGRAM_EXACT_DEPTH,
+	PROGRAM_EXACT_FIN,
+	PROGRAM_EXACT_SURFACE,
+	PROGRAM_EXACT_COPY,
 	PROGRAM_KINDS,
 };
 
@@ -57,8 +61,12 @@ enum program_flag {
 	FLAG_DEPTH_HALF = 1 << 26,
 	FLAG_DEPTH_PACKED = 1 << 27,
 	FLAG_SPLIT = 1 << 28,
-	FLAG_END = 1 << 29,
+	FLAG_FIXED12 = 1 << 29,
+	FLAG_SEEN = 1 << 30,
 };
+
+/** The first bit that is no flag. */
+#define FLAG_END (UINT32_C(1) << 31)
 
 struct program_key {
 	enum program_kind kind;
@@ -66,6 +74,9 @@ struct program_key {
 };
 
 enum shader_stage { STAGE_VERTEX, STAGE_FRAGMENT };
+
+/** The flags that mean something to a kind. */
+uint32_t program_kind_flags(enum program_kind kind);
 
 /** Whether the renderer may ask for this variant: all of these are checked when the project is
  *  built. */

@@ -6,10 +6,12 @@ static uint64_t texel_bytes(GLenum internal_format)
 {
 	switch (internal_format) {
 	case GL_R16F:
+	case GL_R16UI:
 		return 2;
 	case GL_RGBA16F:
 	case GL_RG32F:
 		return 8;
+	case GL_RGBA32I:
 	case GL_RGBA32UI:
 		return 16;
 	default:

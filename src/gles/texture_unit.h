@@ -15,6 +15,9 @@ enum texture_unit {
 	UNIT_DEPTH_LAYERS, /* of an array; through a comparing sampler object */
 	UNIT_MOMENTS,
 	UNIT_PLAIN_LAYERS, /* as UNIT_DEPTH_LAYERS, read plainly */
+	UNIT_PRIMITIVES,
+	UNIT_VISIBILITY,
+	UNIT_VISIBILITY_DEPTH,
 	UNIT_COUNT,
 };
 

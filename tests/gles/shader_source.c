@@ -41,6 +41,8 @@ static const struct {
 	{FLAG_DEPTH_HALF, "DEPTH_HALF"},
 	{FLAG_DEPTH_PACKED, "DEPTH_PACKED"},
 	{FLAG_SPLIT, "SPLIT"},
+	{FLAG_FIXED12, "FIXED12"},
+	{FLAG_SEEN, "SEEN"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -129,6 +131,11 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_TWO_SIDED_FIN], plain * 2);
 	/* Across, with and without a receiver map, and up; each of whole values or split ones. */
 	assert_int_equal(counts[PROGRAM_BLUR], 2 * (plain * 2 + 1));
+	/* Half or fixed12; the fins, in each, as those of floats. */
+	assert_int_equal(counts[PROGRAM_EXACT_DEPTH], 1);
+	assert_int_equal(counts[PROGRAM_EXACT_FIN], 2 * 2 * (2 + 1));
+	assert_int_equal(counts[PROGRAM_EXACT_SURFACE], 2 * 2);
+	assert_int_equal(counts[PROGRAM_EXACT_COPY], 1);
 	const size_t taps = 1 + plain;       /* gathered, or fetched from plain depths */
 	const size_t comparison = 2 + plain; /* by the sampler, gathered, or fetched */
 	const size_t shadows = comparison +  /* hard */
@@ -139,7 +146,9 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 			       comparison +  /* maps */
 			       2 * 2; /* variance maps, filtered or fetched, whole or split */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
-	assert_int_equal(counts[PROGRAM_SURFACE], (2 + shadows) * (1 + 2 * 2));
+	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
+	/* What was seen before has no picture of visibility. */
+	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2);
 }
 
 static void shadow_functions_come_with_the_flag_of_their_technique(void **state)
@@ -172,6 +181,8 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_COPY, FLAG_ENCODE_SRGB},
 		{PROGRAM_COPY, FLAG_DITHER},
 		{PROGRAM_FIN, FLAG_LIT},
+		{PROGRAM_EXACT_FIN, FLAG_FIXED12 | FLAG_DEPTH_ONLY | FLAG_SINUSOID},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SEEN | FLAG_VISIBILITY},
 		{PROGRAM_FIN, FLAG_DEPTH_ONLY | FLAG_SINUSOID}, /* alpha is not written */
 		{PROGRAM_SURFACE, FLAG_SINUSOID},
 		{PROGRAM_SURFACE, FLAG_SHADOWED | FLAG_HARD}, /* of no light */

@@ -1,0 +1,2 @@
+// Of struct fixed_fin (src/fixed/primitive.h).
+const int PRIMITIVE_TEXELS = 7;
