@@ -321,7 +321,8 @@ struct sm_frame_stats {
 	uint64_t silhouette_edges; /**< all lights */
 	uint64_t fin_vertices;
 	uint64_t uploaded_bytes;
-	double silhouette_ms; /**< processor time for silhouettes and fins */
+	double silhouette_ms; /**< processor time for silhouettes and fins; with another precision
+				   than float, for all polygons */
 	/** Since the renderer was created, also for screens: programs compiled from source, and
 	 *  loaded from the store instead. */
 	uint32_t programs_compiled, programs_loaded;

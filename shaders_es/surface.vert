@@ -16,6 +16,9 @@ out float surface_up;      // y of the normal in the world
 #ifdef TEXTURED
 out vec2 surface_uv;
 #endif
+#ifdef SEEN
+out vec2 surface_depth; // z and w of clip space
+#endif
 
 // The lights after the first are added where the depth is equal.
 invariant gl_Position;
@@ -30,5 +33,8 @@ void main()
 	surface_up = dot(surface_normal, up);
 #ifdef TEXTURED
 	surface_uv = uv;
+#endif
+#ifdef SEEN
+	surface_depth = gl_Position.zw;
 #endif
 }

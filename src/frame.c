@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/array.h"
+#include "fixed/primitive.h"
 #include "scene/camera.h"
 #include "surface_pass.h"
 
@@ -37,17 +38,22 @@ static void set_pass_state(struct gl *gl, bool first)
 }
 
 /* Shadow maps of lights first .. last - 1, into renderer->lights. */
-static bool draw_shadows(struct sm_renderer *renderer, const struct sm_scene *scene, uint32_t first,
-	uint32_t last, struct sm_error *error)
+static bool draw_shadows(
+	const struct surface_pass *pass, uint32_t first, uint32_t last, struct sm_error *error)
 {
+	struct sm_renderer *renderer = pass->renderer;
+	const struct technique_view view = {.world_to_clip = pass->world_to_clip,
+		.width = pass->width,
+		.height = pass->height,
+		.visibility = pass->flags & FLAG_VISIBILITY};
 	if (!array_reserve((void **)&renderer->lights, &renderer->light_capacity, last - first,
 		    sizeof(*renderer->lights)))
 		return error_no_memory(error);
 	for (uint32_t i = 0; i < last - first; i++) {
 		struct shadowed_light *light = &renderer->lights[i];
-		light_frame_init(&light->frame, &scene->lights[first + i].desc, scene);
-		light->shadow = shadow_set_prepare(
-			&renderer->shadows, &renderer->gpu, scene, i, &light->frame, error);
+		light_frame_init(&light->frame, &pass->scene->lights[first + i].desc, pass->scene);
+		light->shadow = shadow_set_prepare(&renderer->shadows, &renderer->gpu, pass->scene,
+			i, &light->frame, &view, error);
 		if (light->shadow == NULL)
 			return false;
 		renderer->gpu.stats.lights++;
@@ -62,11 +68,14 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 {
 	struct sm_renderer *renderer = pass->renderer;
 	struct gl *gl = &renderer->gpu.gl;
-	if (!draw_shadows(renderer, pass->scene, first, last, error))
+	if (!draw_shadows(pass, first, last, error))
 		return false;
 	GLint samples = 0;
 	gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 	gl->Viewport(0, 0, (GLsizei)pass->width, (GLsizei)pass->height);
+	if (pass->flags & FLAG_VISIBILITY && renderer->shadows.technique->show != NULL)
+		return renderer->shadows.technique->show(
+			renderer->lights[0].shadow, &renderer->gpu, error);
 	gl->GetIntegerv(GL_SAMPLES, &samples);
 	pass->multisampled = samples > 1;
 	clear(gl, pass->scene, pass->flags);
@@ -95,6 +104,14 @@ static bool check_view(const struct sm_renderer *renderer, const struct sm_scene
 		return error_set(error, SM_ERROR_INPUT,
 			"a picture of %ux%u pixels; this driver draws from 1x1 to %dx%d",
 			view->width, view->height, limit[0], limit[1]);
+	const struct sm_shadow_options *options = &renderer->shadows.options;
+	bool exact = options->precision != SM_PRECISION_FLOAT;
+	if (exact && (view->width > FIXED_SIZE_MAX || view->height > FIXED_SIZE_MAX))
+		return error_set(error, SM_ERROR_INPUT,
+			"a picture of %ux%u pixels; with the precision \"%s\" it has at most %dx%d",
+			view->width, view->height,
+			sm_precision_name((size_t)options->precision - 1), FIXED_SIZE_MAX,
+			FIXED_SIZE_MAX);
 	if (view->visibility_of != SM_NONE && view->visibility_of >= scene->light_count)
 		return error_set(error, SM_ERROR_INPUT, "no light %u to show; the scene has %zu",
 			view->visibility_of, scene->light_count);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "shadow_set.h"
 #include "base/array.h"
+#include "exact_pass.h"
 #include "fixed/primitive.h"
 #include "technique/depth_map.h"
 #include <stdlib.h>
@@ -124,6 +125,8 @@ bool shadow_set_init(struct shadow_set *set, const struct sm_shadow_options *opt
 		set->options.falloff = SM_FALLOFF_LINEAR;
 	if (set->options.precision == SM_PRECISION_DEFAULT)
 		set->options.precision = SM_PRECISION_FLOAT;
+	if (set->options.precision != SM_PRECISION_FLOAT)
+		set->technique = &technique_exact;
 	if (set->options.passes == 0)
 		set->options.passes = set->options.precision == SM_PRECISION_FLOAT ? 1 : 2;
 	return true;
@@ -171,12 +174,16 @@ static bool add_state(struct shadow_set *set, struct gpu *gpu, struct sm_error *
 }
 
 void *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu, const struct sm_scene *scene,
-	size_t index, const struct light_frame *frame, struct sm_error *error)
+	size_t index, const struct light_frame *frame, const struct technique_view *view,
+	struct sm_error *error)
 {
+	const struct technique *technique = set->technique;
 	while (set->count <= index)
 		if (!add_state(set, gpu, error))
 			return NULL;
-	if (!set->technique->prepare(set->states[index], gpu, scene, frame, error))
-		return NULL;
-	return set->states[index];
+	void *state = set->states[index];
+	bool drawn = technique->prepare_view != NULL
+			     ? technique->prepare_view(state, gpu, scene, frame, view, error)
+			     : technique->prepare(state, gpu, scene, frame, error);
+	return drawn ? state : NULL;
 }

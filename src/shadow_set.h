@@ -25,6 +25,7 @@ size_t shadow_set_geometry_bytes(const struct shadow_set *set);
 /** Draws what light number `index` sees, and returns its state, owned by the set; NULL on
  *  failure. */
 void *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu, const struct sm_scene *scene,
-	size_t index, const struct light_frame *frame, struct sm_error *error);
+	size_t index, const struct light_frame *frame, const struct technique_view *view,
+	struct sm_error *error);
 
 #endif

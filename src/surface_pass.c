@@ -288,7 +288,9 @@ static bool draw_object(
 	struct gpu *gpu = &pass->renderer->gpu;
 	const struct gpu_mesh *mesh = &gpu->scene.meshes[object->mesh];
 	uint32_t flags = object_flags(pass, object);
-	if (flags & FLAG_SHADOWED && !pass->renderer->whole)
+	/* What was looked up before takes as little everywhere. */
+	bool looks_up = pass->renderer->shadows.technique->prepare != NULL;
+	if (flags & FLAG_SHADOWED && looks_up && !pass->renderer->whole)
 		return draw_in_parts(pass, object, flags, error);
 	if (!use_program(pass, flags, error))
 		return false;

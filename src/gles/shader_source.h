@@ -75,9 +75,6 @@ struct program_key {
 
 enum shader_stage { STAGE_VERTEX, STAGE_FRAGMENT };
 
-/** The flags that mean something to a kind. */
-uint32_t program_kind_flags(enum program_kind kind);
-
 /** Whether the renderer may ask for this variant: all of these are checked when the project is
  *  built. */
 bool program_key_is_valid(struct program_key key);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/fin_stream.h"
+#include "base/processor_time.h"
 #include "technique/disc.h"
-#include <time.h>
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu)
 {
@@ -32,13 +32,6 @@ void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu)
 	gl_delete_vertex_array(&gpu->gl, &stream->array);
 	gl_delete_buffer(&gpu->gl, &stream->buffer);
 	fin_set_finish(&stream->set);
-}
-
-static double processor_ms(void)
-{
-	struct timespec now;
-	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-	return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
 }
 
 static void mark_fins(struct fin_stream *stream, GLsizei map_size)

@@ -16,6 +16,13 @@ enum technique_option {
 
 #define SAMPLE_CHOICES_MAX 4
 
+/** What a camera sees. */
+struct technique_view {
+	vec4 *world_to_clip;
+	uint32_t width, height; /* of the picture */
+	bool visibility;        /* for sm_view.visibility_of, not to shade surfaces */
+};
+
 /** One way to make shadows. The state is one light's: its textures, and what fills them. */
 struct technique {
 	const char *name, *summary;
@@ -32,6 +39,14 @@ struct technique {
 	/** Draws what the light sees. Leaves blending and culling off. */
 	bool (*prepare)(void *state, struct gpu *gpu, const struct sm_scene *scene,
 		const struct light_frame *frame, struct sm_error *error);
+	/** Instead of prepare(), which then is NULL: draws how much of the light reaches each pixel
+	 *  of a view as well, so that surfaces need look up no more than that. */
+	bool (*prepare_view)(void *state, struct gpu *gpu, const struct sm_scene *scene,
+		const struct light_frame *frame, const struct technique_view *view,
+		struct sm_error *error);
+	/** Copies what prepare_view() drew into the framebuffer that is bound, as
+	 *  sm_view.visibility_of wants it. */
+	bool (*show)(const void *state, struct gpu *gpu, struct sm_error *error);
 	/** Flags of PROGRAM_SURFACE for surfaces that receive. */
 	uint32_t (*surface_flags)(const void *state);
 	/** Where on the light's screen surfaces may look otherwise than FLAG_HARD draws them, for

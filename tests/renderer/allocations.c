@@ -71,6 +71,8 @@ static void the_same_frame_allocates_nothing(void **state)
 		{{.technique = "smoothie-two-sided"}, GL_RGBA8, SM_NONE},
 		{{.technique = "penumbra-map"}, GL_RGBA8, SM_NONE},
 		{{.technique = "smoothie", .falloff = SM_FALLOFF_SINUSOID}, GL_RGBA8, 1},
+		{{.precision = SM_PRECISION_HALF}, GL_SRGB8_ALPHA8, SM_NONE},
+		{{.precision = SM_PRECISION_FIXED12}, GL_RGBA8, 1},
 	};
 	set_up(rig->scene);
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {

@@ -274,6 +274,9 @@ static void views_that_cannot_be_drawn_are_refused(void **state)
 			.visibility_of = cases[i].visibility_of};
 		assert_refused(rig, &view, SM_ERROR_INPUT, cases[i].text);
 	}
+	rig_set_shadows(rig, &(struct sm_shadow_options){.precision = SM_PRECISION_HALF});
+	const struct sm_view wide = {.camera = low, .width = 2048, .height = 1};
+	assert_refused(rig, &wide, SM_ERROR_INPUT, "\"half\" it has at most 2047x2047");
 }
 
 static void without_a_light_there_is_a_picture_and_no_visibility(void **state)
@@ -373,18 +376,22 @@ static void gl_is_left_at_its_defaults(void **state)
 		const char *technique;
 		uint32_t visibility_of, passes;
 		GLenum format;
+		enum sm_precision precision;
 	} cases[] = {
 		{"hard", SM_NONE, 0, GL_RGBA8}, /* two lights: by way of the accumulator */
 		{"smoothie", SM_NONE, 0, GL_RGBA8},
 		{"smoothie", SM_NONE, 2, GL_SRGB8_ALPHA8},
 		{"smoothie", 1, 2, GL_RGBA8},
+		{"smoothie", SM_NONE, 0, GL_RGBA8, SM_PRECISION_HALF},
+		{"smoothie", 1, 0, GL_RGBA8, SM_PRECISION_FIXED12},
 	};
 	set_up(rig->scene, PART_CASTS, PART_RECEIVES);
 	parts_add_light(rig->scene, &lamp);
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct canvas canvas;
-		struct sm_shadow_options options = {
-			.technique = cases[i].technique, .passes = cases[i].passes};
+		struct sm_shadow_options options = {.technique = cases[i].technique,
+			.passes = cases[i].passes,
+			.precision = cases[i].precision};
 		canvas_init(&canvas, cases[i].format, SIZE, SIZE / 2);
 		struct sm_view view = {.camera = low,
 			.framebuffer = canvas.framebuffer,

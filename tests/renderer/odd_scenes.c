@@ -52,6 +52,8 @@ static void draw_all_ways(struct rig *rig, const struct sm_camera *camera)
 		{.technique = "pcss", .samples = 32},
 		{.technique = "vsm"},
 		{.technique = "maps", .samples = 4},
+		{.precision = SM_PRECISION_HALF, .falloff = SM_FALLOFF_SINUSOID},
+		{.precision = SM_PRECISION_FIXED12, .width = 0.1f},
 	};
 	for (size_t i = 0; i < sizeof(ways) / sizeof(ways[0]); i++) {
 		struct visibility seen;

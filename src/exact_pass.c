@@ -1,0 +1,285 @@
+/* SPDX-License-Identifier: MIT */
+#include "exact_pass.h"
+#include "base/processor_time.h"
+#include "exact_scene.h"
+#include "fixed/passes.h"
+#include "gles/picture.h"
+#include "gles/primitives.h"
+
+struct exact {
+	struct exact_scene scene;
+	const struct number_model *number;
+	uint32_t number_flag, map_size;
+	float width;
+	bool sinusoid;
+	struct primitives blockers, fins, surfaces;
+	struct picture casters;   /* its depth buffer serves the next two as well */
+	struct picture receivers; /* of objects that only receive: made when there are any */
+	struct picture nearest;   /* smoothies: depth, and alpha' */
+	struct picture least;
+	struct picture seen; /* of the picture: what of the light does not reach it */
+	GLuint falloff;      /* table of the sinusoid */
+};
+
+static void make_falloff(struct exact *exact, struct gl *gl)
+{
+	uint16_t table[FIXED_FALLOFF_SIZE];
+	fixed_falloff_init(exact->number, table);
+	exact->falloff = gl_create_texture(gl);
+	gl->ActiveTexture(GL_TEXTURE0);
+	gl->BindTexture(GL_TEXTURE_2D, exact->falloff);
+	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R16UI, FIXED_FALLOFF_SIZE, 1, 0, GL_RED_INTEGER,
+		GL_UNSIGNED_SHORT, table);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+static bool map_init(struct picture *map, const struct exact *exact, struct gpu *gpu,
+	GLenum color_format, GLuint depth, struct sm_error *error)
+{
+	return picture_init(
+		map, &gpu->gl, exact->map_size, exact->map_size, color_format, depth, error);
+}
+
+static bool init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+	struct sm_error *error)
+{
+	struct exact *exact = state;
+	bool half = options->precision == SM_PRECISION_HALF;
+	exact->number = half ? &number_half : &number_fixed12;
+	exact->number_flag = half ? 0 : FLAG_FIXED12;
+	exact->map_size = options->map_size;
+	exact->width = options->width;
+	exact->sinusoid = options->falloff == SM_FALLOFF_SINUSOID;
+	if (exact->sinusoid)
+		make_falloff(exact, &gpu->gl);
+	return map_init(&exact->casters, exact, gpu, GL_R32UI, 0, error) &&
+	       map_init(&exact->nearest, exact, gpu, GL_R32UI, exact->casters.depth, error) &&
+	       map_init(&exact->least, exact, gpu, GL_R16UI, 0, error);
+}
+
+static void finish(void *state, struct gpu *gpu)
+{
+	struct exact *exact = state;
+	struct gl *gl = &gpu->gl;
+	exact_scene_finish(&exact->scene);
+	primitives_finish(&exact->blockers, gl);
+	primitives_finish(&exact->fins, gl);
+	primitives_finish(&exact->surfaces, gl);
+	picture_finish(&exact->seen, gl);
+	picture_finish(&exact->least, gl);
+	picture_finish(&exact->nearest, gl);
+	picture_finish(&exact->receivers, gl);
+	picture_finish(&exact->casters, gl);
+	gl_delete_texture(gl, &exact->falloff);
+}
+
+/* What a map of depths holds where nothing is. Of what is above 0 it is by chance that softpipe
+ * does not clear with 0 instead: as bits of a float it is not too small to be normal. */
+#define CLEAR_DEPTH UINT32_MAX
+
+static void clear(const struct picture *picture, struct gl *gl, GLuint value)
+{
+	const GLuint values[4] = {value, value, value, value};
+	picture_bind(picture, gl);
+	gl->DepthMask(GL_TRUE);
+	gl->ClearBufferuiv(GL_COLOR, 0, values);
+	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_LESS);
+}
+
+/* Draws what was uploaded into the picture, which holds what was drawn before. */
+static bool draw(const struct picture *picture, const struct primitives *primitives,
+	struct gpu *gpu, const struct program *program, struct sm_error *error)
+{
+	picture_bind(picture, &gpu->gl);
+	return primitives_draw(
+		primitives, gpu, program, (GLsizei)picture->width, (GLsizei)picture->height, error);
+}
+
+static bool draw_depth(struct exact *exact, struct gpu *gpu, const struct picture *map,
+	const struct fixed_blockers *blockers, struct sm_error *error)
+{
+	struct program_key key = {.kind = PROGRAM_EXACT_DEPTH};
+	clear(map, &gpu->gl, CLEAR_DEPTH);
+	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
+	for (size_t first = 0; program != NULL && first < blockers->count;
+		first += PRIMITIVES_MAX) {
+		primitives_upload(&exact->blockers, gpu, &blockers->items[first],
+			blockers->count - first, sizeof(*blockers->items));
+		if (!draw(map, &exact->blockers, gpu, program, error))
+			return false;
+	}
+	return program != NULL;
+}
+
+static bool draw_maps(struct exact *exact, struct gpu *gpu, struct sm_error *error)
+{
+	const struct fixed_scene *fixed = &exact->scene.fixed;
+	gl_push_group(&gpu->gl, "shadow map");
+	bool drawn = draw_depth(exact, gpu, &exact->casters, &fixed->casters, error);
+	gl_pop_group(&gpu->gl);
+	if (!drawn || fixed->receivers_only.count == 0)
+		return drawn;
+	if (exact->receivers.width == 0 &&
+		!map_init(&exact->receivers, exact, gpu, GL_R32UI, exact->casters.depth, error))
+		return false;
+	gl_push_group(&gpu->gl, "receiver map");
+	drawn = draw_depth(exact, gpu, &exact->receivers, &fixed->receivers_only, error);
+	gl_pop_group(&gpu->gl);
+	return drawn;
+}
+
+/* What was uploaded, in one of the two passes. */
+static bool draw_fins(struct exact *exact, struct gpu *gpu, const struct picture *picture,
+	uint32_t flags, struct sm_error *error)
+{
+	struct program_key key = {.kind = PROGRAM_EXACT_FIN, .flags = exact->number_flag | flags};
+	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
+	if (program == NULL)
+		return false;
+	gpu->gl.Uniform1ui(program->uniform.pole_depth, exact->scene.fixed.pole);
+	return draw(picture, &exact->fins, gpu, program, error);
+}
+
+/* Both passes of the paper, in turn for each part of the fins that is drawn at once: they have
+ * nothing to do with each other. */
+static bool draw_smoothies(struct exact *exact, struct gpu *gpu, struct sm_error *error)
+{
+	const struct fixed_fins *fins = &exact->scene.fixed.fins;
+	uint32_t both = exact->scene.fixed.receivers_only.count > 0 ? FLAG_RECEIVER_MAP : 0;
+	uint32_t shape = exact->sinusoid ? FLAG_SINUSOID : 0;
+	clear(&exact->least, &gpu->gl, 0); /* not read where there is no depth */
+	clear(&exact->nearest, &gpu->gl, CLEAR_DEPTH);
+	gpu_bind_texture(gpu, UNIT_DEPTH, exact->casters.color);
+	gpu_bind_texture(gpu, UNIT_RECEIVER, exact->receivers.color);
+	gpu_bind_texture(gpu, UNIT_FALLOFF, exact->falloff);
+	for (size_t first = 0; first < fins->count; first += PRIMITIVES_MAX) {
+		primitives_upload(&exact->fins, gpu, &fins->items[first], fins->count - first,
+			sizeof(*fins->items));
+		if (!draw_fins(exact, gpu, &exact->nearest, both | FLAG_DEPTH_ONLY, error) ||
+			!draw_fins(exact, gpu, &exact->least, both | shape, error))
+			return false;
+	}
+	return true;
+}
+
+static bool draw_surfaces(
+	struct exact *exact, struct gpu *gpu, bool visibility, struct sm_error *error)
+{
+	const struct fixed_receivers *receivers = &exact->scene.fixed.receivers;
+	struct program_key key = {.kind = PROGRAM_EXACT_SURFACE,
+		.flags = exact->number_flag | (visibility ? FLAG_VISIBILITY : 0)};
+	clear(&exact->seen, &gpu->gl, 0);
+	gpu_bind_texture(gpu, UNIT_DEPTH, exact->casters.color);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE, exact->least.color);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE_DEPTH, exact->nearest.color);
+	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
+	if (program == NULL)
+		return false;
+	gpu->gl.Uniform1i(program->uniform.map_texels, (GLint)exact->map_size);
+	for (size_t first = 0; first < receivers->count; first += PRIMITIVES_MAX) {
+		primitives_upload(&exact->surfaces, gpu, &receivers->items[first],
+			receivers->count - first, sizeof(*receivers->items));
+		if (!draw(&exact->seen, &exact->surfaces, gpu, program, error))
+			return false;
+	}
+	return true;
+}
+
+static bool find(struct exact *exact, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct technique_view *view, struct sm_error *error)
+{
+	struct exact_view needed = {.frame = frame,
+		.width = view->width,
+		.height = view->height,
+		.map_size = exact->map_size,
+		.fin_width = exact->width,
+		.sinusoid = exact->sinusoid};
+	glm_mat4_copy(view->world_to_clip, needed.world_to_clip);
+	double start = processor_ms();
+	if (!exact_scene_find(&exact->scene, scene, &needed))
+		return error_no_memory(error);
+	gpu->stats.silhouette_ms += processor_ms() - start;
+	gpu->stats.silhouette_edges += exact->scene.fins.edge_count;
+	gpu->stats.fin_vertices += exact->scene.fins.vertex_count;
+	return true;
+}
+
+static bool prepare_view(void *state, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct technique_view *view, struct sm_error *error)
+{
+	struct exact *exact = state;
+	struct gl *gl = &gpu->gl;
+	gl_push_group(gl, "primitives");
+	bool drawn = find(exact, gpu, scene, frame, view, error);
+	gl_pop_group(gl);
+	if (!drawn || !draw_maps(exact, gpu, error))
+		return false;
+	gl_push_group(gl, "smoothies");
+	drawn = draw_smoothies(exact, gpu, error);
+	gl_pop_group(gl);
+	if (!drawn || !picture_resize(&exact->seen, gl, view->width, view->height, GL_R16UI, error))
+		return false;
+	gl_push_group(gl, "visibility");
+	drawn = draw_surfaces(exact, gpu, view->visibility, error);
+	gl_pop_group(gl);
+	return drawn;
+}
+
+static void bind_seen(const struct exact *exact, struct gpu *gpu)
+{
+	gpu_bind_texture(gpu, UNIT_VISIBILITY, exact->seen.color);
+	gpu_bind_texture(gpu, UNIT_VISIBILITY_DEPTH, exact->seen.depth);
+}
+
+static bool show(const void *state, struct gpu *gpu, struct sm_error *error)
+{
+	struct gl *gl = &gpu->gl;
+	struct program_key key = {.kind = PROGRAM_EXACT_COPY};
+	if (program_use(&gpu->programs, gl, key, error) == NULL)
+		return false;
+	gl_push_group(gl, "copy");
+	bind_seen(state, gpu);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_ALWAYS);
+	gl->BindVertexArray(0);
+	gl->DrawArrays(GL_TRIANGLES, 0, 3);
+	gpu->stats.draw_calls++;
+	gl_pop_group(gl);
+	return true;
+}
+
+static uint32_t surface_flags(const void *state)
+{
+	(void)state;
+	return FLAG_SEEN;
+}
+
+static size_t geometry_bytes(const void *state)
+{
+	const struct exact *exact = state;
+	return exact_scene_bytes(&exact->scene);
+}
+
+static void bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	(void)frame, (void)program;
+	bind_seen(state, gpu);
+}
+
+const struct technique technique_exact = {
+	.name = "smoothie",
+	.summary = "smoothies in integers, the same bits with every driver",
+	.options = OPTION_WIDTH | OPTION_FALLOFF | OPTION_PASSES | OPTION_PRECISION,
+	.state_size = sizeof(struct exact),
+	.init = init,
+	.finish = finish,
+	.prepare_view = prepare_view,
+	.show = show,
+	.surface_flags = surface_flags,
+	.geometry_bytes = geometry_bytes,
+	.bind = bind,
+};
