@@ -46,6 +46,7 @@ static struct check_context make_context(const struct session *session)
 	return (struct check_context){
 		.device = options->common.device,
 		.debug = options->common.debug,
+		.driver = driver_options_get(&options->driver),
 		.class = session->class,
 		.width = options->width > 0 ? options->width : side,
 		.height = options->width > 0 ? options->height : side,

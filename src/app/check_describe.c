@@ -37,7 +37,8 @@ static bool describe(void *data, struct sm_error *error)
 	const struct common_options *common = &description->options->common;
 	struct platform *platform = platform_create(common->device, common->debug, error);
 	struct sm_renderer *renderer =
-		platform != NULL ? sm_renderer_create(platform_get_proc, error) : NULL;
+		platform != NULL ? driver_options_renderer(&description->options->driver, error)
+				 : NULL;
 	bool described = renderer != NULL;
 	if (described) {
 		platform_describe(platform, add_fact, description);

@@ -21,15 +21,15 @@ enum {
 static const struct flag flags[] = {
 	{FLAG_LIST, "list", NULL, "name the cases, and run none"},
 	{FLAG_TEST, "test", "GLOB", "cases named so; may be repeated; default: all"},
-	{FLAG_EXPECT, "expect", "FILE",
-		"what is known to fail (NAME,Status), or by its name *-skips, *-flakes (patterns)"},
+	{FLAG_EXPECT, "expect", "FILE", "what may fail: NAME,Status; *-skips, *-flakes: patterns"},
 	{FLAG_OUTPUT, "output", "DIR", "write results, reports and pictures there"},
 	{FLAG_TAP, "tap", NULL, "print TAP"},
 	{FLAG_JOBS, "jobs", "N", "cases at a time; default: one a processor"},
 	{FLAG_FRACTION, "fraction", "N", "every N-th case alone"},
 	{FLAG_FRACTION_START, "fraction-start", "K", "from the K-th on, 1 to N; default 1"},
 	{FLAG_TIMEOUT, "timeout", "S", "seconds that a case may take; default 60"},
-	{FLAG_SIZE, "size", "WxH", "of pictures; default: 256x256, and 64x64 on softpipe"},
+	{FLAG_SIZE, "size", "WxH", "of pictures; default: 256x256, and 128x128 on softpipe"},
+	DRIVER_FLAGS,
 	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
 };
@@ -83,6 +83,9 @@ static bool take_flag(
 		return options_real(value, .001, 86400, &options->timeout) ||
 		       options_error(error, &check_command,
 			       "--timeout %.40s: seconds are wanted, up to a day", value);
+	case FLAG_CAPS:
+	case FLAG_PATH:
+		return driver_options_flag(&options->driver, id, value, error);
 	case FLAG_SIZE:
 		return take_size(options, value, error);
 	default:
@@ -132,6 +135,7 @@ void check_options_finish(struct check_options *options)
 {
 	free(options->globs);
 	free(options->baselines);
+	driver_options_finish(&options->driver);
 }
 
 const struct command check_command = {

@@ -2,11 +2,12 @@
 #ifndef APP_CHECK_OPTIONS_H
 #define APP_CHECK_OPTIONS_H
 
-#include "app/options.h"
+#include "app/driver_options.h"
 
 /** What a command line says of a conformance run. Its texts are not owned, its arrays are. */
 struct check_options {
 	struct common_options common;
+	struct driver_options driver;
 	const char **globs, **baselines; /**< owned arrays */
 	size_t glob_count, baseline_count;
 	uint32_t jobs;

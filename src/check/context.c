@@ -11,12 +11,12 @@ static const struct {
 	uint32_t size, map;
 } classes[CHECK_CLASS_COUNT] = {
 	/* zink names the Vulkan driver below it, which may be llvmpipe's: it is looked for first */
-	[CHECK_ZINK] = {"zink", "zink", 256, 1024},
-	[CHECK_LLVMPIPE] = {"llvmpipe", "llvmpipe", 256, 1024},
+	[CHECK_ZINK] = {"zink", "zink", 256, 512},
+	[CHECK_LLVMPIPE] = {"llvmpipe", "llvmpipe", 256, 512},
 	/* 20 to 60 times slower than llvmpipe */
-	[CHECK_SOFTPIPE] = {"softpipe", "softpipe", 64, 256},
-	[CHECK_SWIFTSHADER] = {"swiftshader", "SwiftShader", 256, 1024},
-	[CHECK_HARDWARE] = {"hardware", "", 256, 1024},
+	[CHECK_SOFTPIPE] = {"softpipe", "softpipe", 128, 256},
+	[CHECK_SWIFTSHADER] = {"swiftshader", "SwiftShader", 256, 512},
+	[CHECK_HARDWARE] = {"hardware", "", 256, 512},
 };
 
 enum check_class check_class_find(const char *renderer)

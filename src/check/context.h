@@ -30,6 +30,7 @@ struct check_context {
 					leave NULL */
 	const char *device;        /**< for platform_create(); NULL: the first that works */
 	bool debug;
+	struct sm_driver_options driver; /**< for renderers; not owned */
 	enum check_class class;
 	uint32_t width, height; /**< of pictures */
 	uint32_t map;           /**< texels a side of their shadow maps */

@@ -9,11 +9,12 @@
 #define TIMES 100
 
 /* Draws something small, so that the context has done work. */
-static bool draw(struct sm_error *error)
+static bool draw(const struct check_context *context, struct sm_error *error)
 {
 	struct check_view view;
 	uint16_t values[16 * 16];
-	struct sm_renderer *renderer = sm_renderer_create(platform_get_proc, error);
+	struct sm_renderer *renderer =
+		sm_renderer_create_with(platform_get_proc, &context->driver, error);
 	bool drawn = renderer != NULL && check_view_init(&view, "cylinder", 16, 16, error);
 	if (drawn) {
 		drawn = check_view_draw(&view, renderer, values, error);
@@ -51,7 +52,7 @@ static bool make_contexts(struct check_context *context, uint32_t *made, struct 
 		if (context->platform == NULL || !clear(error))
 			return false;
 	}
-	return draw(error);
+	return draw(context, error);
 }
 
 static void run_contexts(
@@ -71,9 +72,8 @@ static void run_renderers(
 {
 	struct sm_error error;
 	(void)item;
-	(void)context;
 	for (uint32_t made = 0; made < TIMES / 5; made++) {
-		if (draw(&error))
+		if (draw(context, &error))
 			continue;
 		check_fail(result, "after %u renderers: %s", made, error.text);
 		return;

@@ -4,6 +4,7 @@
 #include "base/array.h"
 #include "check/cases.h"
 #include "check/context.h"
+#include "check/needs.h"
 #include "check/view.h"
 #include "platform.h"
 #include <stdlib.h>
@@ -30,18 +31,16 @@ static bool draw_all(struct check_view *view, struct sm_renderer *renderer,
 	return true;
 }
 
-static bool draw(const struct check_case *item, struct check_context *context,
-	struct check_result *result, struct sm_error *error)
+static bool draw(const struct check_case *item, struct sm_renderer *renderer,
+	struct check_context *context, struct check_result *result, struct sm_error *error)
 {
 	struct check_view view = {0};
 	struct sm_shadow_options options = {
 		.technique = sm_technique_name(item->choice[0]), .map_size = context->map};
-	struct sm_renderer *renderer = sm_renderer_create(platform_get_proc, error);
-	bool drawn = renderer != NULL && sm_renderer_set_shadows(renderer, &options, error) &&
+	bool drawn = sm_renderer_set_shadows(renderer, &options, error) &&
 		     check_view_init(&view, check_scene_name(item->choice[1]), context->width,
 			     context->height, error) &&
 		     draw_all(&view, renderer, context, result, error);
-	sm_renderer_destroy(renderer);
 	check_view_finish(&view);
 	return drawn;
 }
@@ -50,13 +49,21 @@ static void run_repeat(
 	const struct check_case *item, struct check_context *context, struct check_result *result)
 {
 	struct sm_error error;
-	if (!draw(item, context, result, &error))
+	struct sm_renderer *renderer =
+		sm_renderer_create_with(platform_get_proc, &context->driver, &error);
+	if (renderer == NULL)
+		check_fail(result, "%s", error.text);
+	else if (check_lacks(renderer, item->choice[0]))
+		check_skip(result, "the driver lacks what %s takes; see smoothie info",
+			sm_technique_name(item->choice[0]));
+	else if (!draw(item, renderer, context, result, &error))
 		check_fail(result, "%s", error.text);
 	else if (result->difference.failing > 0)
 		check_fail(result, "a frame drawn again differs in %llu pixels",
 			(unsigned long long)result->difference.failing);
 	else
 		check_pass(result, "the same bits %d times", TIMES);
+	sm_renderer_destroy(renderer);
 }
 
 void check_repeat_cases(struct check_list *list)

@@ -35,6 +35,9 @@ static const struct {
 	{"cannot read missing.txt (No such file", {"check", "--expect", "missing.txt"}},
 	{"bad-fails.txt:2: no status: Sad", {"check", "--expect", "bad-fails.txt"}},
 	{"bad-skips.txt:1: ", {"check", "--expect", "bad-skips.txt"}},
+	{"no cap \"warp\"; there are: ", {"check", "--test", "clip.near", "--caps", "-warp"}},
+	{"no way \"x\" of the need smoothie",
+		{"check", "--test", "clip.near", "--path", "smoothie=x"}},
 	{"nowhere", {"check", "--test", "clip.near", "--device", "nowhere"}},
 };
 
