@@ -13,4 +13,6 @@ void check_cases_build(struct check_list *list)
 	gl_raster_cases(list);
 	check_context_cases(list);
 	check_repeat_cases(list);
+	check_exact_cases(list);
+	check_picture_cases(list);
 }

@@ -12,5 +12,7 @@ void check_cases_build(struct check_list *list);
 
 void check_context_cases(struct check_list *list); /**< contexts and renderers, made often */
 void check_repeat_cases(struct check_list *list);  /**< a frame drawn again */
+void check_picture_cases(struct check_list *list); /**< pictures, against their models */
+void check_exact_cases(struct check_list *list);   /**< pictures that have the same bits */
 
 #endif

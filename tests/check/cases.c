@@ -43,6 +43,12 @@ static void test_names_are_well_formed(void **state)
 	}
 }
 
+static void test_there_are_many(void **state)
+{
+	const struct check_list *list = *state;
+	assert_true(list->count >= 300);
+}
+
 static void test_drivers_are_told_apart(void **state)
 {
 	static const struct {
@@ -67,6 +73,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_names_are_unique),
 		cmocka_unit_test(test_names_are_well_formed),
+		cmocka_unit_test(test_there_are_many),
 		cmocka_unit_test(test_drivers_are_told_apart),
 	};
 	return cmocka_run_group_tests(tests, make_list, finish_list);
