@@ -244,7 +244,7 @@ static void test_every_flag_is_documented(void **state)
 	assert_non_null(file);
 	assert_true(fread(reference, 1, sizeof(reference) - 1, file) > 0);
 	fclose(file);
-	static const char *const commands[] = {"render", "bench", "info"};
+	static const char *const commands[] = {"render", "check", "bench", "info"};
 	for (size_t i = 0; i < sizeof(commands) / sizeof(commands[0]); i++) {
 		struct outcome outcome = RUN("help", commands[i]);
 		assert_documented(outcome.out, reference);
