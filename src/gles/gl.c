@@ -19,7 +19,10 @@ static void GL_APIENTRY log_message(GLenum source, GLenum type, GLuint id, GLenu
 	GLsizei length, const GLchar *message, const void *data)
 {
 	(void)source, (void)id, (void)length, (void)data;
-	if (type == GL_DEBUG_TYPE_ERROR_KHR || severity == GL_DEBUG_SEVERITY_HIGH_KHR)
+	/* ANGLE finds it severe that reading back has to wait */
+	bool severe =
+		severity == GL_DEBUG_SEVERITY_HIGH_KHR && type != GL_DEBUG_TYPE_PERFORMANCE_KHR;
+	if (type == GL_DEBUG_TYPE_ERROR_KHR || severe)
 		log_error("GL: %s", message);
 	else
 		log_debug("GL: %s", message);
