@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "egl.h"
 #include "base/error.h"
-#include "base/log.h"
 #include <EGL/eglext.h>
 #include <string.h>
 
-static const char *error_name(EGLint code)
+const char *egl_error_name(EGLint code)
 {
 	static const struct {
 		EGLint code;
@@ -32,7 +31,7 @@ static const char *error_name(EGLint code)
 bool egl_fail(struct sm_error *error, const char *call)
 {
 	return error_set(
-		error, SM_ERROR_MACHINE, "%s failed (%s)", call, error_name(eglGetError()));
+		error, SM_ERROR_MACHINE, "%s failed (%s)", call, egl_error_name(eglGetError()));
 }
 
 bool egl_has_extension(EGLDisplay display, const char *name)
@@ -69,36 +68,18 @@ static bool open_first_device(struct egl *egl, struct sm_error *error)
 
 static bool choose_any_config(EGLDisplay display, EGLConfig *config, struct sm_error *error)
 {
-	/* EGL_SURFACE_TYPE would default to windows, which headless drivers may not have. */
-	static const EGLint wanted[] = {
-		EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+	/* An older driver has configs for OpenGL ES 2, and tells its version in that context. */
+	static const EGLint versions[] = {EGL_OPENGL_ES3_BIT, EGL_OPENGL_ES2_BIT};
 	EGLint count = 0;
-	if (!eglChooseConfig(display, wanted, config, 1, &count))
-		return egl_fail(error, "eglChooseConfig");
-	if (count == 0)
-		return error_set(error, SM_ERROR_MACHINE, "EGL has no config for OpenGL ES 3");
-	return true;
-}
-
-static EGLContext create_context(EGLDisplay display, EGLConfig config, bool debug)
-{
-	EGLContext context = EGL_NO_CONTEXT;
-	for (EGLint minor = 2; minor >= 0 && context == EGL_NO_CONTEXT; minor--) {
-		/* EGL 1.4 has a major version only, and says so by refusing the others. */
-		EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE, EGL_NONE, EGL_NONE,
-			EGL_NONE, EGL_NONE};
-		size_t count = 2;
-		if (minor > 0) {
-			attributes[count++] = EGL_CONTEXT_MINOR_VERSION;
-			attributes[count++] = minor;
-		}
-		if (debug) {
-			attributes[count++] = EGL_CONTEXT_OPENGL_DEBUG;
-			attributes[count++] = EGL_TRUE;
-		}
-		context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+	for (size_t i = 0; i < 2 && count == 0; i++) {
+		/* EGL_SURFACE_TYPE would default to windows, which headless drivers may not have.
+		 */
+		const EGLint wanted[] = {
+			EGL_RENDERABLE_TYPE, versions[i], EGL_SURFACE_TYPE, 0, EGL_NONE};
+		if (!eglChooseConfig(display, wanted, config, 1, &count))
+			return egl_fail(error, "eglChooseConfig");
 	}
-	return context;
+	return count > 0 || error_set(error, SM_ERROR_MACHINE, "EGL has no config for OpenGL ES");
 }
 
 /* Mesa's names: swrast, kms_swrast. */
@@ -127,14 +108,9 @@ static bool make_context(struct egl *egl, uint32_t format, bool debug, struct sm
 		!(format != 0 ? egl_choose_config(egl->display, format, &config, error)
 			      : choose_any_config(egl->display, &config, error)))
 		return false;
-	egl->context = create_context(egl->display, config, debug);
-	if (egl->context == EGL_NO_CONTEXT && debug) {
-		log_warning("EGL refuses a debug context (%s): going on without",
-			error_name(eglGetError()));
-		egl->context = create_context(egl->display, config, false);
-	}
+	egl->context = egl_create_context(egl->display, config, debug, error);
 	if (egl->context == EGL_NO_CONTEXT)
-		return egl_fail(error, "eglCreateContext for OpenGL ES 3");
+		return false;
 	egl->native_fences = egl_has_extension(egl->display, "EGL_ANDROID_native_fence_sync") &&
 			     egl_has_extension(egl->display, "EGL_KHR_wait_sync");
 	egl->software = is_software(egl->display);

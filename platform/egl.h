@@ -48,6 +48,23 @@ void egl_finish(struct egl *egl);
 /** Fills *error (MACHINE) with the call that failed and EGL's reason, and returns false. */
 bool egl_fail(struct sm_error *error, const char *call);
 
+/** An EGL error code in words. */
+const char *egl_error_name(EGLint code);
+
+/** Whether $SMOOTHIE_CONTEXT asks for what there is; fails (INPUT). */
+bool egl_check_override(struct sm_error *error);
+
+/**
+ * A context of the highest version of OpenGL ES 3 that there is, 3.2 to 3.0. With
+ * SMOOTHIE_CONTEXT=strict-3.0 in the environment: of 3.0, with no more than that where ANGLE draws,
+ * which otherwise enables extensions and later versions by itself.
+ *
+ * debug: a debug context, if there is one.
+ * EGL_NO_CONTEXT on failure (MACHINE).
+ */
+EGLContext egl_create_context(
+	EGLDisplay display, EGLConfig config, bool debug, struct sm_error *error);
+
 /** EGL_NO_DISPLAY asks for the client's extensions. */
 bool egl_has_extension(EGLDisplay display, const char *name);
 

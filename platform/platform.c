@@ -143,6 +143,8 @@ void platform_prepare(bool debug)
 struct platform *platform_create(const char *device, bool debug, struct sm_error *error)
 {
 	platform_prepare(debug);
+	if (!egl_check_override(error))
+		return NULL;
 	struct platform *platform =
 		device != NULL ? open_named(device, debug, error) : open_first(debug, error);
 	if (platform != NULL)

@@ -35,6 +35,28 @@ static void test_caps_taken_away_and_given_back(void **state)
 	outcome_finish(&outcome);
 }
 
+static void test_context_that_cannot_be_had(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *environment;
+		int status;
+		const char *text;
+	} cases[] = {
+		{"MESA_GLES_VERSION_OVERRIDE=2.0", 1,
+			"OpenGL ES 3.0 is needed, it offers OpenGL ES 2.0"},
+		{"SMOOTHIE_CONTEXT=strict", 2, "SMOOTHIE_CONTEXT is \"strict\""},
+	};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct outcome outcome = run_program(&(struct run){
+			.arguments = {"info", "--device", "surfaceless"},
+			.environment = cases[i].environment,
+		});
+		assert_failure(&outcome, cases[i].status, cases[i].text);
+		outcome_finish(&outcome);
+	}
+}
+
 /* Three boxes of 12 triangles, 8 corners and 18 edges each. */
 static void test_scene(void **state)
 {
@@ -66,6 +88,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_driver),
 		cmocka_unit_test(test_caps_taken_away_and_given_back),
+		cmocka_unit_test(test_context_that_cannot_be_had),
 		cmocka_unit_test(test_scene),
 		cmocka_unit_test(test_json_has_numbers_for_numbers),
 	};
