@@ -454,6 +454,7 @@ static unsigned int spoil_one_by_one(struct rig *rig, const char *technique)
 		assert_gl_is_as_promised(&canvas);
 		canvas_finish(&canvas);
 		sm_renderer_destroy(renderer);
+		assert_true(failures < 100); /* there are not so many shaders */
 	}
 	rig->problems = 0; /* they are wanted */
 	return failures;
