@@ -16,6 +16,7 @@ enum {
 	FLAG_TIMEOUT,
 	FLAG_TAP,
 	FLAG_SIZE,
+	FLAG_PRESET,
 };
 
 static const struct flag flags[] = {
@@ -29,6 +30,7 @@ static const struct flag flags[] = {
 	{FLAG_FRACTION_START, "fraction-start", "K", "from the K-th on, 1 to N; default 1"},
 	{FLAG_TIMEOUT, "timeout", "S", "seconds that a case may take; default 60"},
 	{FLAG_SIZE, "size", "WxH", "of pictures; default: 256x256, and 128x128 on softpipe"},
+	{FLAG_PRESET, "preset", "FILE", "flags from a file; those that follow count more"},
 	DRIVER_FLAGS,
 	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
@@ -53,19 +55,28 @@ static bool take_size(struct check_options *options, const char *value, struct s
 		       value, MAX_SIDE, MAX_SIDE);
 }
 
-static bool take_flag(
-	struct check_options *options, int id, const char *value, struct sm_error *error)
+static bool add_text(const char ***texts, size_t *count, size_t *capacity, const char *text,
+	struct sm_error *error)
 {
+	if (!array_reserve((void **)texts, capacity, *count + 1, sizeof(**texts)))
+		return error_no_memory(error);
+	(*texts)[(*count)++] = text;
+	return true;
+}
+
+static bool take_flag(void *data, int id, const char *value, struct sm_error *error)
+{
+	struct check_options *options = data;
 	switch (id) {
 	case FLAG_LIST:
 		options->list = true;
 		return true;
 	case FLAG_TEST:
-		options->globs[options->glob_count++] = value;
-		return true;
+		return add_text(&options->globs, &options->glob_count, &options->glob_capacity,
+			value, error);
 	case FLAG_EXPECT:
-		options->baselines[options->baseline_count++] = value;
-		return true;
+		return add_text(&options->baselines, &options->baseline_count,
+			&options->baseline_capacity, value, error);
 	case FLAG_OUTPUT:
 		options->output = value;
 		return true;
@@ -88,6 +99,9 @@ static bool take_flag(
 		return driver_options_flag(&options->driver, id, value, error);
 	case FLAG_SIZE:
 		return take_size(options, value, error);
+	case FLAG_PRESET:
+		return check_preset_read(
+			&options->preset, &check_command, value, take_flag, options, error);
 	default:
 		options_common(&options->common, id, value);
 		return true;
@@ -116,15 +130,11 @@ bool check_options_init(
 	int id;
 	*options = (struct check_options){
 		.common = options_defaults(),
-		.globs = array_zalloc((size_t)argc, sizeof(*options->globs)),
-		.baselines = array_zalloc((size_t)argc, sizeof(*options->baselines)),
 		.jobs = processors(),
 		.fraction = 1,
 		.fraction_start = 1,
 		.timeout = 60,
 	};
-	if (options->globs == NULL || options->baselines == NULL)
-		return error_no_memory(error);
 	while ((id = options_next(&check_command, argc, argv, error)) >= 0)
 		if (!take_flag(options, id, optarg, error))
 			return false;
@@ -136,6 +146,7 @@ void check_options_finish(struct check_options *options)
 	free(options->globs);
 	free(options->baselines);
 	driver_options_finish(&options->driver);
+	check_preset_finish(&options->preset);
 }
 
 const struct command check_command = {

@@ -2,14 +2,17 @@
 #ifndef APP_CHECK_OPTIONS_H
 #define APP_CHECK_OPTIONS_H
 
+#include "app/check_preset.h"
 #include "app/driver_options.h"
 
-/** What a command line says of a conformance run. Its texts are not owned, its arrays are. */
+/** What a command line, and presets that it names, say of a conformance run. Its texts are not
+ * owned or a preset's; its arrays are owned. */
 struct check_options {
 	struct common_options common;
 	struct driver_options driver;
 	const char **globs, **baselines; /**< owned arrays */
-	size_t glob_count, baseline_count;
+	size_t glob_count, glob_capacity, baseline_count, baseline_capacity;
+	struct check_preset preset;
 	uint32_t jobs;
 	uint32_t fraction, fraction_start; /**< 1 and 1: all */
 	uint32_t width, height;            /**< of pictures; 0: as the driver's class has them */

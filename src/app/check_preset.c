@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+#include "app/check_preset.h"
+#include "base/array.h"
+#include <errno.h>
+#include <ini.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct reader {
+	struct check_preset *preset;
+	const struct command *command;
+	const char *path;
+	check_preset_take take;
+	void *data;
+	struct sm_error why; /* of the first line that cannot be used */
+	bool failed;
+};
+
+/* "FOLDER/value" for a file beside the preset; a copy of the value for all else. */
+static char *make_value(const char *path, const char *name, const char *value)
+{
+	const char *slash = strrchr(path, '/');
+	bool beside = strcmp(name, "expect") == 0 && value[0] != '/' && slash != NULL;
+	int folder = beside ? (int)(slash + 1 - path) : 0;
+	size_t size = (size_t)folder + strlen(value) + 1;
+	char *made = malloc(size);
+	if (made != NULL)
+		snprintf(made, size, "%.*s%s", folder, path, value);
+	return made;
+}
+
+static const char *keep(struct reader *reader, const char *name, const char *value)
+{
+	struct check_preset *preset = reader->preset;
+	if (!array_reserve((void **)&preset->values, &preset->capacity, preset->count + 1,
+		    sizeof(*preset->values)))
+		return NULL;
+	char *made = make_value(reader->path, name, value);
+	if (made != NULL)
+		preset->values[preset->count++] = made;
+	return made;
+}
+
+static const struct flag *find_flag(const struct command *command, const char *name)
+{
+	for (size_t i = 0; i < command->flag_count; i++)
+		if (strcmp(command->flags[i].name, name) == 0)
+			return &command->flags[i];
+	return NULL;
+}
+
+static bool take_key(
+	struct reader *reader, const char *section, const char *name, const char *value)
+{
+	const struct flag *flag = find_flag(reader->command, name);
+	if (strcmp(section, "check") != 0)
+		return error_set(&reader->why, SM_ERROR_INPUT,
+			"section [check] is wanted, not [%.40s]", section);
+	if (flag == NULL || flag->value == NULL || strcmp(name, "preset") == 0)
+		return error_set(&reader->why, SM_ERROR_INPUT,
+			"no flag with a value is named \"%.40s\"", name);
+	const char *kept = keep(reader, name, value);
+	if (kept == NULL)
+		return error_no_memory(&reader->why);
+	return reader->take(reader->data, flag->id, kept, &reader->why);
+}
+
+/* inih goes on after a failure, and tells the line of the first. */
+static int take_line(void *data, const char *section, const char *name, const char *value)
+{
+	struct reader *reader = data;
+	if (!reader->failed)
+		reader->failed = !take_key(reader, section, name, value);
+	return !reader->failed;
+}
+
+bool check_preset_read(struct check_preset *preset, const struct command *command, const char *path,
+	check_preset_take take, void *data, struct sm_error *error)
+{
+	struct reader reader = {
+		.preset = preset, .command = command, .path = path, .take = take, .data = data};
+	FILE *file = fopen(path, "re");
+	if (file == NULL)
+		return error_set(
+			error, SM_ERROR_INPUT, "cannot read %.300s (%s)", path, strerror(errno));
+	int line = ini_parse_file(file, take_line, &reader);
+	bool whole = !ferror(file);
+	fclose(file);
+	if (!whole || line < 0)
+		return error_set(error, SM_ERROR_INPUT, "cannot read %.300s", path);
+	if (line > 0)
+		return error_set(error, SM_ERROR_INPUT, "%.300s:%d: %s", path, line,
+			reader.failed ? reader.why.text : "NAME = VALUE is wanted");
+	return true;
+}
+
+void check_preset_finish(struct check_preset *preset)
+{
+	for (size_t i = 0; i < preset->count; i++)
+		free(preset->values[i]);
+	free(preset->values);
+	*preset = (struct check_preset){0};
+}
