@@ -250,6 +250,12 @@ static const struct drawing drawings[] = {
 			  "	gl_Position = vec4(c.x * 100.0, -1.0, d - 1.0, d);\n"
 			  "	value = d / 10.0;\n",
 		"value", 6, NULL, floor_distance, BYTE, false},
+	/* The near corners are where w is 0, which clipping must not divide by. */
+	{"varying.eye-plane",
+		RECTANGLE "	float d = c.y * 5.0 + 5.0;\n"
+			  "	gl_Position = vec4(c.x * 100.0, -1.0, d - 1.0, d);\n"
+			  "	value = d / 10.0;\n",
+		"value", 6, NULL, floor_distance, BYTE, false},
 	{"varying.flat",
 		RECTANGLE "	gl_Position = vec4(c, 0.0, 1.0);\n"
 			  "	value = n == 2 ? 0.25 : n == 5 ? 0.75 : 0.0;\n",
