@@ -44,6 +44,7 @@ struct sm_shadow_options bench_cell_shadow(const struct bench_cell *cell, size_t
 	return (struct sm_shadow_options){
 		.technique = cell->options->techniques[technique].technique,
 		.samples = cell->options->techniques[technique].samples,
+		.precision = cell->options->techniques[technique].precision,
 		.map_size = cell->map,
 	};
 }
@@ -84,7 +85,8 @@ bool bench_cell_label(const struct bench_cell *cell, struct sm_error *error)
 		snprintf(result->scene, sizeof(result->scene), "%.*s", (int)length, name);
 		snprintf(result->technique, sizeof(result->technique), "%s",
 			options->techniques[i].name);
-		snprintf(result->precision, sizeof(result->precision), "%s", options->precision);
+		snprintf(result->precision, sizeof(result->precision), "%s",
+			sm_precision_name((size_t)options->techniques[i].precision - 1));
 	}
 	stage_finish(&stage);
 	return true;

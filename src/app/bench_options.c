@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/bench_options.h"
+#include "fixed/primitive.h"
 #include "ref/reference.h"
 #include <getopt.h>
 #include <stdio.h>
@@ -30,7 +31,8 @@ static const struct flag flags[] = {
 	{FLAG_TECHNIQUE, "technique", "NAME[-SAMPLES]", "measure this one; may be repeated"},
 	{FLAG_RADIUS, "radius", "R/d", "of the light, as a share of its distance; repeatable"},
 	{FLAG_MAP, "map", "N", "texels a side of the shadow map; may be repeated"},
-	{FLAG_PRECISION, "precision", "float", "of what is stored on the way"},
+	{FLAG_PRECISION, "precision", "NAME",
+		"float, half or fixed12: of shadows; may be repeated"},
 	{FLAG_SIZE, "size", "WxH", "pixels of the frames that are timed; default: 1024x1024"},
 	{FLAG_ERROR_SIZE, "error-size", "WxH", "of pictures held against truth; default: 512x512"},
 	{FLAG_ROUNDS, "rounds", "N", "frames timed of each technique"},
@@ -48,8 +50,8 @@ static const struct flag flags[] = {
 	COMMON_FLAGS,
 };
 
-/* What is stored on the way from the light to the picture, and how it is chosen. */
-static const char *const precisions[] = {"float"};
+/* The only one that is drawn in other precisions than float. */
+static const char exact_technique[] = "smoothie";
 
 static bool read_count(
 	const char *flag, const char *value, uint32_t max, uint32_t *count, struct sm_error *error)
@@ -116,7 +118,8 @@ static bool add_technique(struct bench_options *options, const struct bench_tech
 	struct sm_error *error)
 {
 	for (size_t i = 0; i < options->technique_count; i++)
-		if (strcmp(options->techniques[i].name, technique->name) == 0)
+		if (strcmp(options->techniques[i].name, technique->name) == 0 &&
+			options->techniques[i].precision == technique->precision)
 			return true;
 	if (!check_room("technique", options->technique_count, BENCH_TECHNIQUES_MAX, error))
 		return false;
@@ -178,15 +181,16 @@ static bool add_techniques(struct bench_options *options, const char *name, stru
 		       "--technique %.40s: there is none of that name; there are: %s", name, names);
 }
 
-static bool set_precision(struct bench_options *options, const char *value, struct sm_error *error)
+static bool add_precision(struct bench_options *options, const char *value, struct sm_error *error)
 {
-	for (size_t i = 0; i < sizeof(precisions) / sizeof(precisions[0]); i++)
-		if (strcmp(value, precisions[i]) == 0) {
-			options->precision = precisions[i];
+	const char *name;
+	for (size_t i = 0; (name = sm_precision_name(i)) != NULL; i++)
+		if (strcmp(value, name) == 0) {
+			options->precisions |= 1u << (i + 1);
 			return true;
 		}
-	return options_error(
-		error, &bench_command, "--precision %.40s: %s is wanted", value, precisions[0]);
+	return options_error(error, &bench_command,
+		"--precision %.40s: float, half or fixed12 is wanted", value);
 }
 
 static bool read_flag(
@@ -202,7 +206,7 @@ static bool read_flag(
 	case FLAG_MAP:
 		return add_map(options, value, error);
 	case FLAG_PRECISION:
-		return set_precision(options, value, error);
+		return add_precision(options, value, error);
 	case FLAG_SIZE:
 		return read_size("size", value, &options->time_size, error);
 	case FLAG_ERROR_SIZE:
@@ -275,15 +279,69 @@ static bool fill(const char *const *values, size_t count, struct bench_options *
 	return true;
 }
 
+/* Adds the technique in each precision that is asked for and that it has. */
+static bool add_in_precisions(struct bench_options *options,
+	const struct bench_technique *technique, struct sm_error *error)
+{
+	struct bench_technique copy = *technique;
+	size_t last = strcmp(copy.technique, exact_technique) == 0 ? SM_PRECISION_FIXED12
+								   : SM_PRECISION_FLOAT;
+	for (size_t i = SM_PRECISION_FLOAT; i <= last; i++) {
+		copy.precision = (enum sm_precision)i;
+		if (options->precisions & 1u << i && !add_technique(options, &copy, error))
+			return false;
+	}
+	return true;
+}
+
+/* named: whether the techniques were. One that was named is to be measured. */
+static bool apply_precisions(struct bench_options *options, bool named, struct sm_error *error)
+{
+	struct bench_technique techniques[BENCH_TECHNIQUES_MAX];
+	size_t count = options->technique_count;
+	memcpy(techniques, options->techniques, count * sizeof(techniques[0]));
+	options->technique_count = 0;
+	for (size_t i = 0; i < count; i++) {
+		size_t before = options->technique_count;
+		if (!add_in_precisions(options, &techniques[i], error))
+			return false;
+		if (named && options->technique_count == before)
+			return options_error(error, &bench_command,
+				"--technique %s: only %s has other precisions than float",
+				techniques[i].name, exact_technique);
+	}
+	return true;
+}
+
+static bool check_exact_size(const char *flag, struct bench_size size, struct sm_error *error)
+{
+	return (size.width <= FIXED_SIZE_MAX && size.height <= FIXED_SIZE_MAX) ||
+	       options_error(error, &bench_command,
+		       "--%s %ux%u: at most %d pixels a side are drawn in half and fixed12", flag,
+		       size.width, size.height, FIXED_SIZE_MAX);
+}
+
+/* Before hours have gone. */
+static bool check_sizes(const struct bench_options *options, struct sm_error *error)
+{
+	bool exact = options->precisions & ~(1u << SM_PRECISION_FLOAT);
+	return !exact || (check_exact_size("size", options->time_size, error) &&
+				 check_exact_size("error-size", options->error_size, error));
+}
+
 static bool complete(struct bench_options *options, struct sm_error *error)
 {
 	const struct defaults *defaults = options->quick ? &quick : &full;
+	bool named = options->technique_count > 0;
 	if (options->rounds == 0)
 		options->rounds = defaults->rounds;
+	if (options->precisions == 0)
+		options->precisions = 1u << SM_PRECISION_FLOAT;
 	return fill(defaults->scenes, options->scene_count, options, add_scene, error) &&
 	       fill(defaults->radii, options->radius_count, options, add_radius, error) &&
 	       fill(defaults->maps, options->map_count, options, add_map, error) &&
-	       (options->technique_count > 0 || add_techniques(options, NULL, error));
+	       (named || add_techniques(options, NULL, error)) &&
+	       apply_precisions(options, named, error) && check_sizes(options, error);
 }
 
 /* What a run measures. */
@@ -304,7 +362,7 @@ static const uint8_t heeded[] = {
 	[FLAG_TECHNIQUE - FLAG_OWN] = MODE_RESULTS | MODE_STRESS,
 	[FLAG_RADIUS - FLAG_OWN] = MODE_RESULTS,
 	[FLAG_MAP - FLAG_OWN] = MODE_RESULTS,
-	[FLAG_PRECISION - FLAG_OWN] = MODES_ALL,
+	[FLAG_PRECISION - FLAG_OWN] = MODE_RESULTS,
 	[FLAG_SIZE - FLAG_OWN] = MODE_RESULTS,
 	[FLAG_ERROR_SIZE - FLAG_OWN] = MODE_RESULTS,
 	[FLAG_ROUNDS - FLAG_OWN] = MODE_RESULTS,
@@ -340,7 +398,6 @@ bool bench_options_read(
 {
 	*options = (struct bench_options){
 		.common = options_defaults(),
-		.precision = precisions[0],
 		.time_size = {1024, 1024},
 		.error_size = {512, 512},
 		.samples = REFERENCE_SAMPLES,

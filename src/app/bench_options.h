@@ -14,6 +14,7 @@ struct bench_technique {
 	char name[32];         /**< "pcss-16" where there are several choices, else "pcss" */
 	const char *technique; /**< of sm_technique_name() */
 	uint32_t samples;      /**< as sm_shadow_options */
+	enum sm_precision precision;
 };
 
 struct bench_size {
@@ -29,7 +30,7 @@ struct bench_options {
 	double radii[BENCH_RADII_MAX]; /**< of the light, as shares of its distance */
 	uint32_t maps[BENCH_MAPS_MAX]; /**< texels a side */
 	size_t scene_count, technique_count, radius_count, map_count;
-	const char *precision;
+	uint32_t precisions; /**< bits: 1 << enum sm_precision */
 	struct bench_size time_size, error_size;
 	uint32_t rounds;              /**< frames timed of each technique */
 	uint32_t samples;             /**< of the reference, in mixed pixels */

@@ -47,8 +47,8 @@ bool bench_output_read(struct result_list *results, const char *path, struct sm_
 
 void bench_output_head(FILE *file)
 {
-	fprintf(file, "%-12s %5s %5s %-20s %8s %7s %7s %8s %9s %7s\n", "scene", "R/d", "map",
-		"technique", "penumbra", "p99", "bias", "flicker", "ms", "x hard");
+	fprintf(file, "%-12s %5s %5s %-20s %-9s %8s %7s %7s %8s %9s %7s\n", "scene", "R/d", "map",
+		"technique", "precision", "penumbra", "p99", "bias", "flicker", "ms", "x hard");
 }
 
 /* NAN: not measured. */
@@ -64,8 +64,8 @@ static void print_row(FILE *file, const struct result *result)
 {
 	const struct error_summary *penumbra = &result->error[REGION_PENUMBRA];
 	const struct time_summary *time = &result->time[THREADS_DEFAULT];
-	fprintf(file, "%-12s %5.3g %5u %-20s", result->scene, result->radius, result->map,
-		result->technique);
+	fprintf(file, "%-12s %5.3g %5u %-20s %-9s", result->scene, result->radius, result->map,
+		result->technique, result->precision);
 	print_number(file, 8, 4, penumbra->rmse);
 	print_number(file, 7, 3, penumbra->p99);
 	print_number(file, 7, 3, penumbra->bias);

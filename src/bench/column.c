@@ -46,7 +46,7 @@
 static const struct column columns[] = {
 	FIELD(COLUMN_TEXT, scene, "scene"),
 	FIELD(COLUMN_TEXT, technique, "technique, with its number of samples where it has choices"),
-	FIELD(COLUMN_TEXT, precision, "number formats of buffers and shaders"),
+	FIELD(COLUMN_TEXT, precision, "arithmetic of the shadows, as of --precision"),
 	FIELD(COLUMN_REAL, radius, "radius of the light as a share of its distance"),
 	FIELD(COLUMN_COUNT32, map, "texels along a side of the shadow map"),
 	FIELD(COLUMN_COUNT32, width, "pixels across the picture that errors are of"),

@@ -31,12 +31,16 @@ bool same_family(const struct result *a, const struct result *b)
 	       memcmp(a->technique, b->technique, length) == 0;
 }
 
-bool same_setting(const struct result *a, const struct result *b)
+bool same_conditions(const struct result *a, const struct result *b)
 {
 	return a->radius == b->radius && a->map == b->map && a->width == b->width &&
 	       a->height == b->height && a->time_width == b->time_width &&
-	       a->time_height == b->time_height && strcmp(a->precision, b->precision) == 0 &&
-	       strcmp(a->machine, b->machine) == 0;
+	       a->time_height == b->time_height && strcmp(a->machine, b->machine) == 0;
+}
+
+bool same_setting(const struct result *a, const struct result *b)
+{
+	return same_conditions(a, b) && strcmp(a->precision, b->precision) == 0;
 }
 
 bool distinct_init(struct distinct *distinct, const struct result_list *list, result_match same,

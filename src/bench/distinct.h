@@ -13,6 +13,8 @@ bool same_technique(const struct result *a, const struct result *b);
 bool same_family(const struct result *a, const struct result *b);
 /** What makes results comparable: light, map, precision, sizes of pictures, machine. */
 bool same_setting(const struct result *a, const struct result *b);
+/** The same but for the precision. */
+bool same_conditions(const struct result *a, const struct result *b);
 
 /** The first result of each kind in a list, in its order; zero is empty. */
 struct distinct {
@@ -32,7 +34,7 @@ size_t distinct_find(
 /** The setting with the most results, the first of these: what charts are of first. */
 const struct result *main_setting(const struct distinct *settings, const struct result_list *list);
 
-/** Writes a setting for people, such as "light radius 0.03, map 512, highp". */
+/** Writes a setting for people, such as "light radius 0.03, map 512, float". */
 void setting_describe(const struct result *setting, char *text, size_t size);
 
 #endif

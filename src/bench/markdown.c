@@ -5,8 +5,7 @@
 #include "bench/table.h"
 #include <string.h>
 
-/* Text in which nothing is markup. */
-static void write_text(const char *text, FILE *file)
+void markdown_text(const char *text, FILE *file)
 {
 	for (; *text != '\0'; text++) {
 		if (strchr("\\`*_[]<>|&#", *text) != NULL)
@@ -15,11 +14,10 @@ static void write_text(const char *text, FILE *file)
 	}
 }
 
-/* Cells that line up below a heading: to the right but for the first. */
-static void write_rule(size_t columns, FILE *file)
+void markdown_rule(size_t columns, FILE *file)
 {
 	fputs("|---|", file);
-	for (size_t i = 0; i < columns; i++)
+	for (size_t i = 1; i < columns; i++)
 		fputs("--:|", file);
 	fputc('\n', file);
 }
@@ -41,19 +39,19 @@ static void write_means(const struct contents *contents, const struct result *se
 	char text[160];
 	setting_describe(setting, text, sizeof(text));
 	fputs("Means over scenes, ", file);
-	write_text(text, file);
+	markdown_text(text, file);
 	fputs(":\n\n| technique | scenes |", file);
 	for (; (column = mean_column_at(columns)) != NULL; columns++)
 		fprintf(file, " %s |", column->heading);
 	fputc('\n', file);
-	write_rule(1 + columns, file);
+	markdown_rule(2 + columns, file);
 	for (size_t i = 0; i < contents->techniques.count; i++) {
 		const struct result *technique = contents->techniques.items[i];
 		struct mean mean = mean_of(contents->results, setting, technique, NULL);
 		if (mean.scenes == 0)
 			continue;
 		fputs("| ", file);
-		write_text(technique->technique, file);
+		markdown_text(technique->technique, file);
 		fprintf(file, " | %zu |", mean.scenes);
 		for (size_t j = 0; j < columns; j++) {
 			fputc(' ', file);
@@ -69,7 +67,7 @@ static void write_row(const struct contents *contents, const struct result *resu
 {
 	const struct table_column *column = NULL;
 	fputs("| ", file);
-	write_text(result->technique, file);
+	markdown_text(result->technique, file);
 	fputs(" |", file);
 	while ((column = table_next_column(column, contents->results)) != NULL) {
 		char text[TABLE_CELL_MAX];
@@ -88,13 +86,13 @@ static void write_table(const struct rows *rows, FILE *file)
 	size_t columns = 0;
 	char text[160];
 	setting_describe(setting, text, sizeof(text));
-	write_text(text, file);
+	markdown_text(text, file);
 	fprintf(file, "; errors at %ux%u, times at %ux%u:\n\n| technique |", setting->width,
 		setting->height, setting->time_width, setting->time_height);
 	for (; (column = table_next_column(column, rows->contents->results)) != NULL; columns++)
 		fprintf(file, " %s |", table_heading(column));
 	fputc('\n', file);
-	write_rule(columns, file);
+	markdown_rule(1 + columns, file);
 	while ((row = rows_next(rows, row)) != NULL)
 		write_row(rows->contents, row, file);
 	fputc('\n', file);
@@ -103,7 +101,7 @@ static void write_table(const struct rows *rows, FILE *file)
 static void write_scene(const struct contents *contents, const struct result *scene, FILE *file)
 {
 	fputs("## ", file);
-	write_text(scene->scene, file);
+	markdown_text(scene->scene, file);
 	fprintf(file, "\n\n%u triangles.\n\n", scene->triangles);
 	write_plot(contents, contents->main, scene, file);
 	for (size_t i = 0; i < contents->settings.count; i++) {
@@ -116,13 +114,13 @@ static void write_scene(const struct contents *contents, const struct result *sc
 static void write_facts(const struct run_facts *facts, FILE *file)
 {
 	fputs("## How to repeat it\n\nAt commit ", file);
-	write_text(run_facts_get(facts, "commit"), file);
+	markdown_text(run_facts_get(facts, "commit"), file);
 	fprintf(file, ":\n\n\t%s\n\n| | |\n|---|---|\n", run_facts_get(facts, "command"));
 	for (size_t i = 0; i < facts->count; i++) {
 		fputs("| ", file);
-		write_text(facts->items[i].key, file);
+		markdown_text(facts->items[i].key, file);
 		fputs(" | ", file);
-		write_text(facts->items[i].value, file);
+		markdown_text(facts->items[i].value, file);
 		fputs(" |\n", file);
 	}
 }
@@ -146,12 +144,13 @@ void markdown_write(const struct contents *contents, FILE *file)
 	      "part of the light; the best of each column is bold.\n\n",
 		file);
 	if (contents->main != NULL) {
-		write_text(contents->main->machine, file);
+		markdown_text(contents->main->machine, file);
 		fputs(".\n\n", file);
 		for (size_t i = 0; i < contents->settings.count; i++) {
 			write_plot(contents, contents->settings.items[i], NULL, file);
 			write_means(contents, contents->settings.items[i], file);
 		}
+		markdown_precisions(contents->results, file);
 	} else {
 		fputs("Nothing was measured.\n\n", file);
 	}

@@ -163,7 +163,8 @@ static void test_a_run_leaves_a_row_for_each_technique(void **state)
 		assert_true(isnan(results.items[0].flicker));
 	}
 	assert_non_null(strstr(outcome.out, "penumbra"));
-	assert_non_null(strstr(outcome.out, "\ncylinder       0.1    64 smoothie "));
+	assert_non_null(
+		strstr(outcome.out, "\ncylinder       0.1    64 smoothie             float "));
 	check_files();
 	result_list_finish(&results);
 	outcome_finish(&outcome);
@@ -213,6 +214,48 @@ static void test_choices_of_samples_are_techniques_of_their_own(void **state)
 	for (size_t i = 0; i < results.count; i++)
 		assert_string_equal(results.items[i].technique, names[i]);
 	result_list_finish(&results);
+	outcome_finish(&outcome);
+}
+
+/* The second is in float, and what comes after it the same in others: near to that, and not it. */
+static void check_precision_errors(const struct result *results, size_t count)
+{
+	const struct error_summary *base = &results[1].error[REGION_PENUMBRA];
+	for (size_t i = 2; i < count; i++) {
+		const struct error_summary *error = &results[i].error[REGION_PENUMBRA];
+		assert_float_equal(error->rmse, base->rmse, .01);
+		assert_true(error->rmse != base->rmse);
+	}
+}
+
+static void check_precisions(
+	const char *const (*rows)[2], size_t count, const struct outcome *outcome)
+{
+	assert_success(outcome);
+	struct result_list results = read_results("bench-results/results.csv");
+	assert_int_equal(results.count, count);
+	for (size_t i = 0; i < count; i++) {
+		assert_string_equal(results.items[i].technique, rows[i][0]);
+		assert_string_equal(results.items[i].precision, rows[i][1]);
+	}
+	if (SMOOTHIE_HAS_REFERENCE && count > 1)
+		check_precision_errors(results.items, count);
+	result_list_finish(&results);
+}
+
+/* Techniques that were not named are left out where they lack it. */
+static void test_precisions_are_rows_of_their_own(void **state)
+{
+	(void)state;
+	static const char *const rows[][2] = {{"hard", "float"}, {"smoothie", "float"},
+		{"smoothie", "half"}, {"smoothie", "fixed12"}};
+	struct outcome outcome =
+		BENCH("--technique=hard", "--technique=smoothie", "--precision=fixed12",
+			"--precision=float", "--precision=half", "--radius=.1", "--quick");
+	check_precisions(rows, 4, &outcome);
+	outcome_finish(&outcome);
+	outcome = BENCH("--precision=half", "--radius=.1", "--quick");
+	check_precisions(&rows[2], 1, &outcome);
 	outcome_finish(&outcome);
 }
 
@@ -374,7 +417,15 @@ static const struct {
 	{"--radius 0x1: ", {"--radius", "0x1"}},
 	{"--map 0: ", {"--map", "0"}},
 	{"a shadow map of 999999 texels", {"--map", "999999"}},
-	{"--precision double: float is wanted", {"--precision", "double"}},
+	{"--precision double: float, half or fixed12 is wanted", {"--precision", "double"}},
+	{"--technique pcss-16: only smoothie has other precisions",
+		{"--precision", "half", "--technique", "pcss-16"}},
+	{"a shadow map of 2048 texels a side; with the precision \"half\"",
+		{"--precision", "half", "--map", "2048"}},
+	{"--size 2048x9: at most 2047 pixels", {"--precision", "half", "--size", "2048x9"}},
+	{"--error-size 9x2048: at most 2047 pixels",
+		{"--precision", "fixed12", "--error-size", "9x2048"}},
+	{"--precision does nothing with --paper", {"--paper", "--precision", "half"}},
 	{"--rounds 0: ", {"--rounds", "0"}},
 	{"--samples 65537: a number from 1 to 65536", {"--samples", "65537"}},
 	{"--size 64: ", {"--size", "64"}},
@@ -421,6 +472,7 @@ int main(void)
 		IN_SCRATCH(test_hard_is_timed_unasked),
 		IN_SCRATCH(test_rows_go_through_scenes_radii_and_maps),
 		IN_SCRATCH(test_choices_of_samples_are_techniques_of_their_own),
+		IN_SCRATCH(test_precisions_are_rows_of_their_own),
 		IN_SCRATCH(test_a_run_is_compared_with_an_earlier_one),
 		IN_SCRATCH(test_a_full_disk_is_an_error_and_keeps_what_was_there),
 		IN_SCRATCH(test_stress_prints_a_line_for_each_sweep),

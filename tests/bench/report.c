@@ -348,6 +348,39 @@ static void test_means_of_times_need_no_errors(void **state)
 	text_finish(&markdown);
 }
 
+static struct result in_precision(const char *technique, const char *precision, double rmse)
+{
+	struct result result = make_result("fence", technique);
+	snprintf(result.precision, sizeof(result.precision), "%s", precision);
+	result.error[REGION_PENUMBRA].rmse = rmse;
+	return result;
+}
+
+static void test_precisions_are_held_against_float(void **state)
+{
+	(void)state;
+	struct text html = {0}, markdown = {0};
+	struct result mixed[] = {in_precision("hard", "float", .3),
+		in_precision("smoothie", "float", .2), in_precision("smoothie", "half", .21),
+		in_precision("smoothie", "fixed12", .25), in_precision("smoothie", "half", .22)};
+	const struct result_list all = {mixed, COUNT(mixed), 0}, floats = {mixed, 2, 0};
+	mixed[2].time[THREADS_DEFAULT].median *= 1.5;
+	mixed[3].time[THREADS_DEFAULT].median = 0;
+	mixed[4].map = 1024; /* without one in float */
+	write_pages(&all, true, &html, &markdown);
+	assert_contains(markdown.bytes,
+		"| fence | 0.03 | 512 | smoothie | float | 0.2000 | +0.0000 | -0.0167 | 0.0000 | "
+		"0.33333 | 1.10 | 1.00 |\n"
+		"| fence | 0.03 | 512 | smoothie | half | 0.2100 | +0.0100 | -0.0167 | 0.0000 | "
+		"0.33333 | 1.65 | 1.50 |\n"
+		"| fence | 0.03 | 512 | smoothie | fixed12 | 0.2500 | +0.0500 | -0.0167 | 0.0000 | "
+		"0.33333 | - | - |\n\n");
+	write_pages(&floats, true, &html, &markdown);
+	assert_null(strstr(markdown.bytes, "precision costs"));
+	text_finish(&html);
+	text_finish(&markdown);
+}
+
 static void test_names_of_files_differ_as_scenes_do(void **state)
 {
 	(void)state;
@@ -401,6 +434,7 @@ int main(void)
 		cmocka_unit_test(test_best_values_are_marked),
 		cmocka_unit_test(test_columns_that_nothing_was_measured_in_are_left_out),
 		cmocka_unit_test(test_means_of_times_need_no_errors),
+		cmocka_unit_test(test_precisions_are_held_against_float),
 		cmocka_unit_test(test_names_of_files_differ_as_scenes_do),
 		cmocka_unit_test(test_difference_pictures_are_shown_where_they_are),
 	};
