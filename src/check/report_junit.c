@@ -72,8 +72,10 @@ static void print_suite(const struct check_run *run, FILE *file)
 /* "picture" of "picture.smoothie.float.fence": what servers group by. */
 static void print_class(const char *name, FILE *file)
 {
-	char group[CHECK_NAME_SIZE];
-	snprintf(group, sizeof(group), "%.*s", (int)strcspn(name, "."), name);
+	char group[CHECK_NAME_SIZE] = "";
+	size_t length = strcspn(name, ".");
+	if (length < sizeof(group))
+		memcpy(group, name, length);
 	print_attribute("classname", group, file);
 }
 
