@@ -282,6 +282,7 @@ static void result_init(struct paper_result *result)
 {
 	static const struct paper_error none = {NAN, NAN};
 	result->hard = result->linear = result->sinusoid = none;
+	result->half = result->fixed12 = (struct paper_precision){none, NAN};
 	result->thin = result->thick = none;
 	result->snapping_coarse = result->snapping_fine = NAN;
 }

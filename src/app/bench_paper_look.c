@@ -74,6 +74,14 @@ static double mean_square(const struct look *look)
 	return sum / (double)look->view.pixels;
 }
 
+static double mean_change(const struct look *look)
+{
+	double sum = 0;
+	for (size_t i = 0; i < look->view.pixels; i++)
+		sum += fabs((double)look->view.seen[1][i] - (double)look->view.seen[0][i]);
+	return sum / (double)look->view.pixels;
+}
+
 static bool measure_aliasing(struct look *look, const struct paper_part *part,
 	struct sm_shadow_options shadow, double *rmse, struct sm_error *error)
 {
@@ -160,13 +168,14 @@ static bool measure_snapping(
 	return true;
 }
 
-#define WAYS_MAX 3
+#define WAYS_MAX 5
 
 /* Ways to draw one scene, and sums of what each is off over scenes. */
 struct comparison {
 	const struct sm_shadow_options *shadow; /* [count] */
 	size_t count;
 	struct paper_error sum[WAYS_MAX];
+	double difference[WAYS_MAX]; /* mean |change of visibility| from the first */
 };
 
 static bool compare(struct look *look, const struct paper_part *part, struct comparison *comparison,
@@ -184,13 +193,15 @@ static bool compare(struct look *look, const struct paper_part *part, struct com
 	paper_step((void *)part);
 	for (size_t i = 0; i < comparison->count && compared; i++) {
 		struct error_summary off[REGIONS];
+		int which = i > 0; /* the first is kept */
 		compared = sm_renderer_set_shadows(look->renderer, &comparison->shadow[i], error) &&
-			   look_draw(look, part, 0, 0, error) &&
-			   visibility_error(look->view.seen[0], truth.visibility, look->view.pixels,
-				   off, error);
+			   look_draw(look, part, which, 0, error) &&
+			   visibility_error(look->view.seen[which], truth.visibility,
+				   look->view.pixels, off, error);
 		if (compared) {
 			comparison->sum[i].rmse += weight * off[REGION_PENUMBRA].rmse;
 			comparison->sum[i].bias += weight * off[REGION_PENUMBRA].bias;
+			comparison->difference[i] += i > 0 ? weight * mean_change(look) : 0;
 		}
 	}
 	reference_finish(&truth);
@@ -223,22 +234,35 @@ static size_t study_count(const struct paper_options *options)
 static bool measure_errors(const struct paper_part *part, struct sm_error *error)
 {
 	static const char *const fence[] = {"builtin:fence"};
-	static const struct sm_shadow_options soft[] = {{.technique = "hard", .map_size = LOOK_MAP},
-		{.technique = "smoothie", .map_size = LOOK_MAP},
-		{.technique = "smoothie", .map_size = LOOK_MAP, .falloff = SM_FALLOFF_SINUSOID}};
+	enum { LINEAR, HARD, SINUSOID, HALF, FIXED12, SOFT };
+	static const struct sm_shadow_options soft[SOFT] = {
+		[LINEAR] = {.technique = "smoothie", .map_size = LOOK_MAP},
+		[HARD] = {.technique = "hard", .map_size = LOOK_MAP},
+		[SINUSOID] = {.technique = "smoothie",
+			.map_size = LOOK_MAP,
+			.falloff = SM_FALLOFF_SINUSOID},
+		[HALF] = {.technique = "smoothie",
+			.map_size = LOOK_MAP,
+			.precision = SM_PRECISION_HALF},
+		[FIXED12] = {.technique = "smoothie",
+			.map_size = LOOK_MAP,
+			.precision = SM_PRECISION_FIXED12}};
 	static const struct sm_shadow_options widths[] = {
 		{.technique = "smoothie", .map_size = LOOK_MAP, .width = .02f},
 		{.technique = "smoothie", .map_size = LOOK_MAP, .width = .08f}};
-	_Static_assert(COUNT(soft) <= WAYS_MAX && COUNT(widths) <= WAYS_MAX, "room for every way");
+	_Static_assert(SOFT <= WAYS_MAX && COUNT(widths) <= WAYS_MAX, "room for every way");
 	struct paper_result *result = part->result;
-	struct comparison of_soft = {.shadow = soft, .count = COUNT(soft)};
+	struct comparison of_soft = {.shadow = soft, .count = SOFT};
 	struct comparison of_widths = {.shadow = widths, .count = COUNT(widths)};
 	/* Sums of some scenes are no means: the result gets whole ones. */
 	if (!compare_all(part, study, study_count(part->options), &of_soft, error))
 		return false;
-	result->hard = of_soft.sum[0];
-	result->linear = of_soft.sum[1];
-	result->sinusoid = of_soft.sum[2];
+	result->hard = of_soft.sum[HARD];
+	result->linear = of_soft.sum[LINEAR];
+	result->sinusoid = of_soft.sum[SINUSOID];
+	result->half = (struct paper_precision){of_soft.sum[HALF], of_soft.difference[HALF]};
+	result->fixed12 =
+		(struct paper_precision){of_soft.sum[FIXED12], of_soft.difference[FIXED12]};
 	if (!compare_all(part, fence, 1, &of_widths, error))
 		return false;
 	result->thin = of_widths.sum[0];
@@ -256,6 +280,6 @@ bool paper_look_closer(const struct paper_part *part, struct sm_error *error)
 
 uint32_t paper_look_closer_steps(const struct paper_options *options)
 {
-	uint32_t errors = 4 * (uint32_t)study_count(options) + 3;
+	uint32_t errors = 6 * (uint32_t)study_count(options) + 3;
 	return 2 * (uint32_t)(snap_changes(options) + 1) + (reference_is_built() ? errors : 0);
 }

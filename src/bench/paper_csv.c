@@ -95,6 +95,13 @@ static void write_error(
 	write_line(file, place, "bias", error.bias, "visibility");
 }
 
+static void write_precision(FILE *file, const char *technique, struct paper_precision precision)
+{
+	struct place place = {"errors", "study scenes", technique, 0, NAN};
+	write_error(file, place.name, technique, NAN, precision.error);
+	write_line(file, place, "difference from floats", precision.difference, "visibility");
+}
+
 void paper_csv_write(const struct paper_result *result, FILE *file)
 {
 	fputs("table,name,technique,map,t,quantity,value,unit\n", file);
@@ -107,6 +114,8 @@ void paper_csv_write(const struct paper_result *result, FILE *file)
 	write_error(file, "study scenes", "hard", NAN, result->hard);
 	write_error(file, "study scenes", "smoothie", NAN, result->linear);
 	write_error(file, "study scenes", "smoothie with a sinusoid", NAN, result->sinusoid);
+	write_precision(file, "smoothie in half", result->half);
+	write_precision(file, "smoothie in fixed12", result->fixed12);
 	write_error(file, "fence", "smoothie", .02, result->thin);
 	write_error(file, "fence", "smoothie", .08, result->thick);
 	struct place snapping = {"snapping", "knot of few triangles", "smoothie", 0, .1};

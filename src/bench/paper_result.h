@@ -63,6 +63,12 @@ struct paper_error {
 	double rmse, bias;
 };
 
+/** Smoothies in another arithmetic than floats. */
+struct paper_precision {
+	struct paper_error error;
+	double difference; /* mean |change of visibility| from floats, in all pixels */
+};
+
 struct paper_result {
 	struct run_facts facts;
 	char renderer[160], driver[160]; /* as the driver calls itself, and its version */
@@ -76,6 +82,7 @@ struct paper_result {
 	struct paper_size sizes[PAPER_SIZES_MAX];
 	size_t size_count;
 	struct paper_error hard, linear, sinusoid; /* means of the study scenes */
+	struct paper_precision half, fixed12;      /* likewise */
 	struct paper_error thin, thick;            /* t of .02 and .08, a fence */
 	/* The largest change of a frame over the median one, with thick fins under a light that
 	 * turns: of a shape of few triangles and of many. */

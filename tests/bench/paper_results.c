@@ -14,6 +14,8 @@ struct paper_result paper_nothing(void)
 	return (struct paper_result){.hard = none,
 		.linear = none,
 		.sinusoid = none,
+		.half = {none, NAN},
+		.fixed12 = {none, NAN},
 		.thin = none,
 		.thick = none,
 		.snapping_coarse = NAN,
@@ -74,6 +76,8 @@ struct paper_result paper_ideal(void)
 	result.hard = error_of(.27, 0);
 	result.linear = error_of(.23, -.1);
 	result.sinusoid = error_of(.22, -.1);
+	result.half = (struct paper_precision){error_of(.2301, -.1), .0002};
+	result.fixed12 = (struct paper_precision){error_of(.2302, -.1), .0003};
 	result.thin = error_of(.2, -.1);
 	result.thick = error_of(.4, -.3);
 	result.snapping_coarse = 4;
