@@ -234,6 +234,10 @@ enum sm_precision {
 	SM_PRECISION_FIXED12,
 };
 
+/** Pixels of the picture and texels of the map a side, at most, in half and fixed12: what they
+ *  compute stays within 32 bits. */
+#define SM_EXACT_SIZE_MAX 2047
+
 /** How shadows are made. Zero in a field means the default. A field that the technique does not
  *  use must stay zero: setting it is an error. */
 struct sm_shadow_options {
@@ -250,7 +254,7 @@ struct sm_shadow_options {
 	uint32_t passes;  /**< smoothie: 2 fills the smoothie buffer in two passes, nearest
 			       depth and then minimum alpha, as the paper does; default 1 */
 	/** Default float. half and fixed12: smoothie alone, always in two passes; map and picture
-	 *  have at most 2047 texels a side. */
+	 *  have at most SM_EXACT_SIZE_MAX texels a side. */
 	enum sm_precision precision;
 };
 

@@ -23,7 +23,7 @@ size_t exact_scene_bytes(const struct exact_scene *exact);
 struct exact_view {
 	const struct light_frame *frame;
 	mat4 world_to_clip;
-	uint32_t width, height, map_size; /* up to FIXED_SIZE_MAX */
+	uint32_t width, height, map_size; /* up to SM_EXACT_SIZE_MAX */
 	float fin_width;                  /* as in struct sm_shadow_options */
 	bool sinusoid;
 };

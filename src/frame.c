@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/array.h"
-#include "fixed/primitive.h"
 #include "scene/camera.h"
 #include "surface_pass.h"
 
@@ -106,12 +105,12 @@ static bool check_view(const struct sm_renderer *renderer, const struct sm_scene
 			view->width, view->height, limit[0], limit[1]);
 	const struct sm_shadow_options *options = &renderer->shadows.options;
 	bool exact = options->precision != SM_PRECISION_FLOAT;
-	if (exact && (view->width > FIXED_SIZE_MAX || view->height > FIXED_SIZE_MAX))
+	if (exact && (view->width > SM_EXACT_SIZE_MAX || view->height > SM_EXACT_SIZE_MAX))
 		return error_set(error, SM_ERROR_INPUT,
 			"a picture of %ux%u pixels; with the precision \"%s\" it has at most %dx%d",
 			view->width, view->height,
-			sm_precision_name((size_t)options->precision - 1), FIXED_SIZE_MAX,
-			FIXED_SIZE_MAX);
+			sm_precision_name((size_t)options->precision - 1), SM_EXACT_SIZE_MAX,
+			SM_EXACT_SIZE_MAX);
 	if (view->visibility_of != SM_NONE && view->visibility_of >= scene->light_count)
 		return error_set(error, SM_ERROR_INPUT, "no light %u to show; the scene has %zu",
 			view->visibility_of, scene->light_count);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/error.h"
 #include "exact_model.h"
-#include "fixed/primitive.h"
 #include "local_scene.h"
 #include "model/float_visibility.h"
 #include "shadow_set.h"
@@ -33,7 +32,7 @@ static bool draw(const struct sm_scene *scene, const struct sm_view *view,
 	if (!shadow_set_init(&set, options, &caps, error))
 		return false;
 	bool exact = set.options.precision != SM_PRECISION_FLOAT;
-	if (!check_view(scene, view, exact ? FIXED_SIZE_MAX : SIDE_MAX, error))
+	if (!check_view(scene, view, exact ? SM_EXACT_SIZE_MAX : SIDE_MAX, error))
 		return false;
 	if (exact && snap_bits > 0)
 		return error_set(error, SM_ERROR_INPUT,

@@ -2,7 +2,6 @@
 #include "shadow_set.h"
 #include "base/array.h"
 #include "exact_pass.h"
-#include "fixed/primitive.h"
 #include "technique/depth_map.h"
 #include <stdlib.h>
 
@@ -84,11 +83,11 @@ static bool check_precision(const struct sm_shadow_options *options, struct sm_e
 	if (name == NULL)
 		return error_set(error, SM_ERROR_INPUT, "a precision of number %d; the last is %d",
 			(int)options->precision, SM_PRECISION_FIXED12);
-	if (options->map_size > FIXED_SIZE_MAX)
+	if (options->map_size > SM_EXACT_SIZE_MAX)
 		return error_set(error, SM_ERROR_INPUT,
 			"a shadow map of %u texels a side; with the precision \"%s\" there are at "
 			"most %d",
-			options->map_size, name, FIXED_SIZE_MAX);
+			options->map_size, name, SM_EXACT_SIZE_MAX);
 	if (options->passes == 1)
 		return error_set(error, SM_ERROR_INPUT,
 			"1 smoothie pass; with the precision \"%s\" there are always 2", name);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/bench_options.h"
-#include "fixed/primitive.h"
 #include "ref/reference.h"
 #include <getopt.h>
 #include <stdio.h>
@@ -315,10 +314,10 @@ static bool apply_precisions(struct bench_options *options, bool named, struct s
 
 static bool check_exact_size(const char *flag, struct bench_size size, struct sm_error *error)
 {
-	return (size.width <= FIXED_SIZE_MAX && size.height <= FIXED_SIZE_MAX) ||
+	return (size.width <= SM_EXACT_SIZE_MAX && size.height <= SM_EXACT_SIZE_MAX) ||
 	       options_error(error, &bench_command,
 		       "--%s %ux%u: at most %d pixels a side are drawn in half and fixed12", flag,
-		       size.width, size.height, FIXED_SIZE_MAX);
+		       size.width, size.height, SM_EXACT_SIZE_MAX);
 }
 
 /* Before hours have gone. */

@@ -9,8 +9,8 @@
  *  a pixel of what they round. */
 #define FIXED_TILE 64
 
-/** What is drawn over: width x height pixels, up to FIXED_SIZE_MAX, of which the outermost `border`
- *  stay clear. */
+/** What is drawn over: width x height pixels, up to SM_EXACT_SIZE_MAX, of which the outermost
+ *  `border` stay clear. */
 struct fixed_screen {
 	int32_t width, height, border;
 };

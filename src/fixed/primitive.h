@@ -15,8 +15,6 @@
 
 /** Subpixel steps of a pixel, on which corners lie: 4 bits, which every driver has. */
 #define FIXED_SUBPIXELS 16
-/** Pixels a side of map and picture: at most; edge functions stay within 32 bits. */
-#define FIXED_SIZE_MAX 2047
 /** Bits of depth: exact in a float and, in order, in a 24-bit depth buffer. 1 << FIXED_DEPTH_BITS
  * is depth 1. */
 #define FIXED_DEPTH_BITS 21
