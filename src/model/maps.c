@@ -9,29 +9,13 @@ struct maps {
 	struct disc disc;
 };
 
-/* The light's frame from a point beside its middle: a shear that leaves the far plane where it
- * is. */
-static struct light_frame frame_from(
-	const struct light_frame *frame, const float point[2], float scale)
-{
-	struct light_frame sheared = *frame;
-	for (int column = 0; column < 4; column++) {
-		float *entries = sheared.world_to_clip[column];
-		float before_far = entries[3] - entries[2];
-		for (int axis = 0; axis < 2; axis++)
-			entries[axis] -= scale * point[axis] * before_far;
-	}
-	return sheared;
-}
-
 static bool init(void *state, const struct model_light *light, struct sm_error *error)
 {
 	struct maps *maps = state;
 	maps->light = light;
 	disc_init(&maps->disc, light->options.samples);
 	for (int i = 0; i < maps->disc.count; i++) {
-		struct light_frame frame =
-			frame_from(&light->frame, maps->disc.points[i], disc_scale(&light->frame));
+		struct light_frame frame = disc_frame(&light->frame, maps->disc.points[i]);
 		if (!model_map_init_from(&maps->layers[i], light, &frame, MODEL_CASTERS, error))
 			return false;
 	}

@@ -25,6 +25,19 @@ float disc_scale(const struct light_frame *frame)
 	return fminf(frame->disc * per_depth / (2.0f * frame->half_extent), 1e30f);
 }
 
+struct light_frame disc_frame(const struct light_frame *frame, const float point[2])
+{
+	struct light_frame sheared = *frame;
+	float scale = disc_scale(frame);
+	for (int column = 0; column < 4; column++) {
+		float *entries = sheared.world_to_clip[column];
+		float before_far = entries[3] - entries[2];
+		for (int axis = 0; axis < 2; axis++)
+			entries[axis] -= scale * point[axis] * before_far;
+	}
+	return sheared;
+}
+
 void disc_bind(const struct disc *disc, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program)
 {

@@ -21,6 +21,10 @@ void disc_init(struct disc *disc, uint32_t count);
  *  rim are on the light's screen, for each unit of window depth between them. Finite. */
 float disc_scale(const struct light_frame *frame);
 
+/** The frame of a point of the light, on the unit disc. Its screen's rectangle on the far plane is
+ *  that of the light's middle, and its near and far planes are: a shear of clip space. */
+struct light_frame disc_frame(const struct light_frame *frame, const float point[2]);
+
 /** Sets disc_points, disc_count and disc_scale of a program that is in use. */
 void disc_bind(const struct disc *disc, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program);

@@ -40,21 +40,6 @@ static void maps_finish(void *state, struct gpu *gpu)
 	target_finish(&maps->layers, &gpu->gl);
 }
 
-/* The frame of a point of the light. Its screen's rectangle on the far plane is that of the light's
- * middle, and its near and far planes are: a shear of clip space. */
-static struct light_frame frame_of_point(const struct light_frame *frame, const float point[2])
-{
-	struct light_frame sheared = *frame;
-	float scale = disc_scale(frame);
-	for (int column = 0; column < 4; column++) {
-		float *entries = sheared.world_to_clip[column];
-		float before_far = entries[3] - entries[2];
-		for (int axis = 0; axis < 2; axis++)
-			entries[axis] -= scale * point[axis] * before_far;
-	}
-	return sheared;
-}
-
 static void bind_layer(const struct maps *maps, struct gl *gl, GLint layer)
 {
 	if (maps->plain.texture == 0) {
@@ -73,7 +58,7 @@ static bool maps_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 	bool drawn = true;
 	gl_push_group(&gpu->gl, "shadow maps");
 	for (GLsizei i = 0; i < maps->disc.count && drawn; i++) {
-		struct light_frame sheared = frame_of_point(frame, maps->disc.points[i]);
+		struct light_frame sheared = disc_frame(frame, maps->disc.points[i]);
 		bind_layer(maps, &gpu->gl, i);
 		drawn = depth_map_fill(gpu, scene, &sheared, DEPTH_OF_CASTERS, maps->write,
 			target_inside(&maps->layers), error);
