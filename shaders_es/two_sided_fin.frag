@@ -17,8 +17,6 @@ layout(location = 0) out uvec4 fin;
 // A surface beside the silhouette is looked for this many texels off it: beyond the texels that the
 // blocker may have in part.
 const float BESIDE = 0.75;
-// Rounding of depths, as in shadow_receiver.glsl.
-const float DEPTH_STEP = 8.0 / 16777216.0;
 
 // The largest 16-bit float.
 const float MOST_HALF = 65504.0;

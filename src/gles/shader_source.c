@@ -122,6 +122,7 @@ static const struct {
 					{
 						{"common_light_depth.glsl", FLAG_DEPTH_HALF},
 						{"common_plain_depth.glsl"},
+						{"common_depth_step.glsl"},
 						{"two_sided_fin.frag"},
 					},
 				},
@@ -141,6 +142,7 @@ static const struct {
 							FLAG_SMOOTHIE | FLAG_VSM | FLAG_DEPTH_HALF},
 						{"common_plain_depth.glsl",
 							TAP_FLAGS | COMPARE_FLAGS},
+						{"common_depth_step.glsl", FLAG_SHADOWED},
 						{"shadow_receiver.glsl", FLAG_SHADOWED},
 						{"shadow_taps.glsl", TAP_FLAGS | COMPARE_FLAGS},
 						{"shadow_compare.glsl", FLAG_HARD | FLAG_PCSS},

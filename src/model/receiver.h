@@ -20,8 +20,8 @@ struct receiver {
 #define REACH_NEAREST 0.55
 #define REACH_FOUR 1.05
 
-/** Rounding of depths of 24 bits, and of their interpolation. */
-#define DEPTH_STEP (8.0 / 16777216.0)
+/** Rounding of depths of 24 bits, and of their interpolation: as common_depth_step.glsl. */
+#define DEPTH_STEP (16.0 / 16777216.0)
 
 struct receiver receiver_of(const struct surface *surface, const struct model_light *light);
 
