@@ -49,14 +49,6 @@ static bool describe(void *data, struct sm_error *error)
 	return described;
 }
 
-static const char *find_fact(const struct check_run *run, const char *key)
-{
-	for (size_t i = 0; i < run->fact_count; i++)
-		if (strcmp(run->facts[i].key, key) == 0)
-			return run->facts[i].value;
-	return "";
-}
-
 static bool take_facts(struct check_run *run, const char *facts)
 {
 	for (const char *key = facts; key[0] != '\0';) {
@@ -90,7 +82,7 @@ bool check_describe(const struct check_options *options, struct check_run *run,
 	if (described) {
 		bool taken = check_run_add_fact(run, "smoothie", sm_version()) &&
 			     take_facts(run, description.facts);
-		*class = check_class_find(find_fact(run, "renderer"));
+		*class = check_class_find(check_run_fact(run, "renderer"));
 		described = (taken && add_size(options, run, *class)) || error_no_memory(error);
 	}
 	worker_unshare(description.facts, FACTS_SIZE);

@@ -37,14 +37,6 @@ static bool flush(struct sm_error *error)
 	       error_set(error, SM_ERROR_MACHINE, "cannot write the outcome (%s)", strerror(errno));
 }
 
-static const char *find_fact(const struct check_run *run, const char *key)
-{
-	for (size_t i = 0; i < run->fact_count; i++)
-		if (strcmp(run->facts[i].key, key) == 0)
-			return run->facts[i].value;
-	return "";
-}
-
 bool check_output_begin(struct check_output *output, const struct check_options *options,
 	const struct check_run *run, size_t count, struct sm_error *error)
 {
@@ -58,9 +50,9 @@ bool check_output_begin(struct check_output *output, const struct check_options 
 		check_tap_begin(stdout, count);
 	else
 		printf("%s\n%s; %s; pictures of %s; %zu cases, %u at a time\n",
-			find_fact(run, "renderer"), find_fact(run, "version"),
-			find_fact(run, "class of drivers"), find_fact(run, "size of pictures"),
-			count, run->jobs);
+			check_run_fact(run, "renderer"), check_run_fact(run, "version"),
+			check_run_fact(run, "class of drivers"),
+			check_run_fact(run, "size of pictures"), count, run->jobs);
 	progress_start(&output->progress, (uint32_t)count, options->common.verbosity < 0);
 	return flush(error);
 }

@@ -5,7 +5,6 @@
 #include "page/escape.h"
 #include "page/page.h"
 #include <inttypes.h>
-#include <string.h>
 #include <time.h>
 
 static size_t count_status(const struct check_run *run, enum check_status status)
@@ -22,14 +21,6 @@ static size_t count_unexpected(const struct check_run *run)
 	for (size_t i = 0; i < run->count; i++)
 		count += check_status_is_unexpected(run->results[i].status);
 	return count;
-}
-
-static const char *find_fact(const struct check_run *run, const char *key)
-{
-	for (size_t i = 0; i < run->fact_count; i++)
-		if (strcmp(run->facts[i].key, key) == 0)
-			return run->facts[i].value;
-	return "";
 }
 
 static void print_head(FILE *file)
@@ -90,9 +81,9 @@ static void print_verdict(const struct check_run *run, FILE *file)
 		fprintf(file, "<span class=\"tag %s\">%zu as expected</span>",
 			passed ? "good" : "odd", run->count);
 	fputs("</div>\n<p><span class=\"driver\">", file);
-	escape_markup(find_fact(run, "renderer"), file);
+	escape_markup(check_run_fact(run, "renderer"), file);
 	fputs("</span><br><span class=\"soft\">", file);
-	escape_markup(find_fact(run, "version"), file);
+	escape_markup(check_run_fact(run, "version"), file);
 	fputs("</span></p>\n", file);
 	print_when(run, file);
 	if (!run->complete)

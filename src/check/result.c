@@ -65,3 +65,11 @@ bool check_run_add_fact(struct check_run *run, const char *key, const char *valu
 	facts[run->fact_count++] = fact;
 	return true;
 }
+
+const char *check_run_fact(const struct check_run *run, const char *key)
+{
+	for (size_t i = 0; i < run->fact_count; i++)
+		if (strcmp(run->facts[i].key, key) == 0)
+			return run->facts[i].value;
+	return "";
+}

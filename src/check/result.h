@@ -81,5 +81,7 @@ bool check_status_is_unexpected(enum check_status status);
 void check_run_finish(struct check_run *run);
 /** Adds a copy; false without memory. */
 bool check_run_add_fact(struct check_run *run, const char *key, const char *value);
+/** The first value with this key, or "" without one; it is the run's. */
+const char *check_run_fact(const struct check_run *run, const char *key);
 
 #endif
