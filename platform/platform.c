@@ -77,13 +77,24 @@ static struct platform *open_named(const char *device, bool debug, struct sm_err
 	if (!is_device(device, error))
 		return NULL;
 	struct platform *platform = open_device(device, debug, &why);
-	if (platform == NULL && why.status == SM_ERROR_MACHINE && strcmp(device, surfaceless) != 0)
-		platform = open_instead(device, debug);
 	if (platform == NULL)
 		error_set(error, why.status, "device %s does not work: %s", device, why.text);
-	else if (strcmp(platform->device, device) != 0)
-		log_warning("device %s does not work: %s; going on with %s", device, why.text,
-			platform->device);
+	return platform;
+}
+
+static struct platform *open_named_or_instead(
+	const char *device, bool debug, struct sm_error *error)
+{
+	struct sm_error why;
+	struct platform *platform = open_named(device, debug, &why);
+	if (platform != NULL)
+		return platform;
+	if (why.status == SM_ERROR_MACHINE && strcmp(device, surfaceless) != 0)
+		platform = open_instead(device, debug);
+	if (platform == NULL)
+		error_set(error, why.status, "%s", why.text);
+	else
+		log_warning("%s; going on with %s", why.text, platform->device);
 	return platform;
 }
 
@@ -140,16 +151,30 @@ void platform_prepare(bool debug)
 	setenv("EGL_LOG_LEVEL", debug ? "warning" : "fatal", 0);
 }
 
-struct platform *platform_create(const char *device, bool debug, struct sm_error *error)
+static bool begin(bool debug, struct sm_error *error)
 {
 	platform_prepare(debug);
-	if (!egl_check_override(error))
-		return NULL;
-	struct platform *platform =
-		device != NULL ? open_named(device, debug, error) : open_first(debug, error);
+	return egl_check_override(error);
+}
+
+static struct platform *tell(struct platform *platform)
+{
 	if (platform != NULL)
 		log_debug("device %s opened", platform->device);
 	return platform;
+}
+
+struct platform *platform_create(const char *device, bool debug, struct sm_error *error)
+{
+	if (!begin(debug, error))
+		return NULL;
+	return tell(device != NULL ? open_named_or_instead(device, debug, error)
+				   : open_first(debug, error));
+}
+
+struct platform *platform_create_on(const char *device, bool debug, struct sm_error *error)
+{
+	return begin(debug, error) ? tell(open_named(device, debug, error)) : NULL;
 }
 
 void platform_destroy(struct platform *platform)

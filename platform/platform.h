@@ -20,6 +20,9 @@ struct platform;
  */
 struct platform *platform_create(const char *device, bool debug, struct sm_error *error);
 
+/** The same on this device and no other: a node that does not work is an error. */
+struct platform *platform_create_on(const char *device, bool debug, struct sm_error *error);
+
 /** Before anything else of EGL: sets where the drivers' messages go. */
 void platform_prepare(bool debug);
 

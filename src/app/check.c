@@ -44,7 +44,7 @@ static struct check_context make_context(const struct session *session)
 	const struct check_options *options = &session->options;
 	uint32_t side = check_class_size(session->class);
 	return (struct check_context){
-		.device = options->common.device,
+		.device = check_run_fact(&session->run, "device"),
 		.debug = options->common.debug,
 		.driver = driver_options_get(&options->driver),
 		.class = session->class,
@@ -63,7 +63,7 @@ static bool attempt(void *data, const struct check_case *item, struct check_resu
 	struct sm_error failure;
 	signals_leave_to_parent();
 	check_fail(result, "the case says nothing");
-	context.platform = platform_create(context.device, context.debug, &failure);
+	context.platform = platform_create_on(context.device, context.debug, &failure);
 	if (context.platform != NULL)
 		item->run(item, &context, result);
 	else

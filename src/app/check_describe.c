@@ -31,11 +31,17 @@ static void add_fact(void *data, const char *key, const char *value)
 	append(description, value);
 }
 
+/* A driver that does not work is what the run is to find: another one is no stand-in. */
+static struct platform *open_device(const struct common_options *common, struct sm_error *error)
+{
+	return common->device != NULL ? platform_create_on(common->device, common->debug, error)
+				      : platform_create(NULL, common->debug, error);
+}
+
 static bool describe(void *data, struct sm_error *error)
 {
 	struct description *description = data;
-	const struct common_options *common = &description->options->common;
-	struct platform *platform = platform_create(common->device, common->debug, error);
+	struct platform *platform = open_device(&description->options->common, error);
 	struct sm_renderer *renderer =
 		platform != NULL ? driver_options_renderer(&description->options->driver, error)
 				 : NULL;

@@ -49,9 +49,9 @@ bool check_output_begin(struct check_output *output, const struct check_options 
 	if (options->tap)
 		check_tap_begin(stdout, count);
 	else
-		printf("%s\n%s; %s; pictures of %s; %zu cases, %u at a time\n",
-			check_run_fact(run, "renderer"), check_run_fact(run, "version"),
-			check_run_fact(run, "class of drivers"),
+		printf("%s, device %s\n%s; %s; pictures of %s; %zu cases, %u at a time\n",
+			check_run_fact(run, "renderer"), check_run_fact(run, "device"),
+			check_run_fact(run, "version"), check_run_fact(run, "class of drivers"),
 			check_run_fact(run, "size of pictures"), count, run->jobs);
 	progress_start(&output->progress, (uint32_t)count, options->common.verbosity < 0);
 	return flush(error);

@@ -28,7 +28,7 @@ uint32_t check_class_map(enum check_class class);
 struct check_context {
 	struct platform *platform; /**< owned; its context is current. A case may replace it, or
 					leave NULL */
-	const char *device;        /**< for platform_create(); NULL: the first that works */
+	const char *device;        /**< for platform_create_on() */
 	bool debug;
 	struct sm_driver_options driver; /**< for renderers; not owned */
 	enum check_class class;

@@ -48,7 +48,7 @@ static bool make_contexts(struct check_context *context, uint32_t *made, struct 
 {
 	for (*made = 0; *made < TIMES; ++*made) {
 		platform_destroy(context->platform);
-		context->platform = platform_create(context->device, context->debug, error);
+		context->platform = platform_create_on(context->device, context->debug, error);
 		if (context->platform == NULL || !clear(error))
 			return false;
 	}

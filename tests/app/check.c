@@ -101,7 +101,8 @@ static char *read_text(const char *path)
 
 static void test_a_run_leaves_reports(void **state)
 {
-	static const char *const lines[] = {"llvmpipe", "Pass            2\n"};
+	static const char *const lines[] = {
+		"llvmpipe", ", device surfaceless\n", "Pass            2\n"};
 	static const char *const files[] = {
 		"out/results.csv", "out/failures.csv", "out/junit.xml", "out/report.html"};
 	(void)state;

@@ -68,6 +68,8 @@ static void test_devices_that_are_none(void **state)
 		assert_int_not_equal(error.status, SM_OK);
 		assert_non_null(strstr(error.text, cases[i].text));
 		assert_null(platform_create(cases[i].device, false, NULL));
+		assert_null(platform_create_on(cases[i].device, false, &error));
+		assert_non_null(strstr(error.text, cases[i].text));
 	}
 	platform_destroy(NULL);
 }
