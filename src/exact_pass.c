@@ -123,8 +123,10 @@ static bool draw_maps(struct exact *exact, struct gpu *gpu, struct sm_error *err
 	if (!drawn || fixed->receivers_only.count == 0)
 		return drawn;
 	if (exact->receivers.width == 0 &&
-		!map_init(&exact->receivers, exact, gpu, GL_R32UI, exact->casters.depth, error))
+		!map_init(&exact->receivers, exact, gpu, GL_R32UI, exact->casters.depth, error)) {
+		picture_finish(&exact->receivers, &gpu->gl);
 		return false;
+	}
 	gl_push_group(&gpu->gl, "receiver map");
 	drawn = draw_depth(exact, gpu, &exact->receivers, &fixed->receivers_only, error);
 	gl_pop_group(&gpu->gl);

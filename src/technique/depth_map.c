@@ -87,8 +87,11 @@ static void bind_target(const struct depth_map *map, struct gl *gl)
 bool depth_map_init_once(
 	struct depth_map *map, struct gpu *gpu, GLsizei size, struct sm_error *error)
 {
-	return map->target.texture != 0 ||
-	       depth_map_init(map, gpu, (uint32_t)size, DEPTH_MAP_NEAREST, true, error);
+	if (map->target.texture != 0 ||
+		depth_map_init(map, gpu, (uint32_t)size, DEPTH_MAP_NEAREST, true, error))
+		return true;
+	depth_map_finish(map, gpu);
+	return false;
 }
 
 void depth_map_finish(struct depth_map *map, struct gpu *gpu)
