@@ -114,7 +114,7 @@ bool caps_rule_out(struct caps *caps, enum cap cap)
 /* "-name" or "+name", `length` characters. */
 static bool override_one(struct caps *caps, const char *item, size_t length, struct sm_error *error)
 {
-	char names[400];
+	char names[600] = "";
 	size_t used = 0;
 	if (length == 0 || (item[0] != '-' && item[0] != '+'))
 		return error_set(error, SM_ERROR_INPUT,
@@ -126,7 +126,9 @@ static bool override_one(struct caps *caps, const char *item, size_t length, str
 			caps->found[i].taken = item[0] == '-';
 			return true;
 		}
-		used += (size_t)snprintf(names + used, sizeof(names) - used, " %s", infos[i].name);
+		if (used < sizeof(names))
+			used += (size_t)snprintf(
+				names + used, sizeof(names) - used, " %s", infos[i].name);
 	}
 	return error_set(error, SM_ERROR_INPUT, "no cap \"%.*s\"; there are:%s",
 		(int)(length < 41 ? length - 1 : 40), item + 1, names);

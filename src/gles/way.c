@@ -132,9 +132,8 @@ static bool force(struct gpu *gpu, const char *path, struct sm_error *error)
 		return refuse_way(need, path + length + 1, error);
 	enum cap cap = lacking_cap(gpu, way);
 	if (cap != CAP_COUNT)
-		return error_set(error, SM_ERROR_MACHINE, "the path %.60s takes %s, which %s (%s)",
-			path, cap_name(cap),
-			gpu->caps.found[cap].taken ? "was taken away" : "the driver lacks",
+		return error_set(error, SM_ERROR_MACHINE,
+			"the path %.60s takes %s, which is not there: %s", path, cap_name(cap),
 			gpu->caps.found[cap].why);
 	gpu->ways.forced[need] = (uint8_t)(index + 1);
 	return true;

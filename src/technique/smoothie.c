@@ -35,8 +35,8 @@ static bool choose_way(struct smoothie *smoothie, struct gpu *gpu,
 		options->passes == 2 || smoothie->way == SMOOTHIE_RGBA8 || by_depth_test;
 	if (smoothie->two_passes && !gpu_has(gpu, CAP_DEPTH_FETCH))
 		return error_set(error, SM_ERROR_MACHINE,
-			"two smoothie passes take %s, which %s lacks", cap_name(CAP_DEPTH_FETCH),
-			gpu->caps.renderer);
+			"two smoothie passes take %s, which is not there: %s",
+			cap_name(CAP_DEPTH_FETCH), gpu->caps.found[CAP_DEPTH_FETCH].why);
 	smoothie->fin_flags = (fin_flags & FLAG_CONE) | ways.plain;
 	smoothie->alpha_flags = (options->falloff == SM_FALLOFF_SINUSOID ? FLAG_SINUSOID : 0) |
 				(by_depth_test ? FLAG_ALPHA_DEPTH : 0) |

@@ -111,7 +111,7 @@ static const struct {
 	{2, "no way \"rg8\" of the need smoothie; there are: rg16f, ",
 		{"render", CYLINDER, "--path", "smoothie=rg8"}},
 	{2, "path \"smoothie\": NEED=WAY is wanted", {"info", "--path", "smoothie"}},
-	{1, "the path smoothie=rg16f takes min_rg16f, which was taken away",
+	{1, "the path smoothie=rg16f takes min_rg16f, which is not there: taken away",
 		{"render", CYLINDER, "--caps", "-min_rg16f", "--path", "smoothie=rg16f"}},
 	{2, "--path needs NEED=WAY", {"show", CYLINDER, "--path"}},
 	{2, "--caps needs -NAME,+NAME", {"bench", "--caps"}},

@@ -133,6 +133,7 @@ static void bad_driver_options_are_refused_with_a_reason(void **state)
 	} cases[] = {
 		{SM_ERROR_INPUT, "-warp", NULL,
 			"no cap \"warp\"; there are: EXT_color_buffer_float "},
+		{SM_ERROR_INPUT, "+warp", NULL, " srgb_stored"}, /* the last of them, whole */
 		{SM_ERROR_INPUT, "", NULL, "caps \"\": a list"},
 		{SM_ERROR_INPUT, "-", NULL, "no cap \"\""},
 		{SM_ERROR_INPUT, "-min_rg16f,,", NULL, "caps \"\": a list"},
@@ -141,7 +142,9 @@ static void bad_driver_options_are_refused_with_a_reason(void **state)
 		{SM_ERROR_INPUT, NULL,
 			"taps=", "no way \"\" of the need taps; there are: gather, "},
 		{SM_ERROR_MACHINE, "-texture_gather", "taps=gather",
-			"takes texture_gather, which "},
+			"takes texture_gather, which is not there: taken away"},
+		{SM_ERROR_MACHINE, "-EXT_shader_framebuffer_fetch", "smoothie=fetch",
+			"takes fetch_rg16f, which is not there: without "},
 	};
 	(void)state;
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
