@@ -75,11 +75,12 @@ static double step(const struct format *format, int channel, double value)
 	return exp2(fmax(floor(log2(value)), -14) - bits);
 }
 
-/* A target of the format, that may be skipped. */
+/* A target of the format; what the driver does not claim may be skipped. */
 static GLuint make_target(struct kit *kit, const struct format *format)
 {
+	bool claimed = format->extension == NULL || kit_has_extension(format->extension);
 	GLuint texture = kit_texture(kit, format->internal_format);
-	kit_framebuffer(kit, texture, 0, format->extension != NULL ? format->name : NULL);
+	kit_framebuffer(kit, texture, 0, claimed ? NULL : format->name);
 	return texture;
 }
 

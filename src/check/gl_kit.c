@@ -265,14 +265,13 @@ void kit_compare(struct check_result *result, double drawn, double wanted, doubl
 {
 	struct check_difference *difference = &result->difference;
 	double off = fabs(drawn - wanted);
+	/* NaN is off by any measure. */
+	off = isnan(off) ? INFINITY : off;
 	difference->pixels++;
 	difference->tolerance = tolerance;
-	/* NaN is off by any measure. */
-	if (!(off <= tolerance))
-		difference->failing++;
+	difference->failing += off > tolerance;
 	difference->mean += off;
-	if (!(off <= difference->max))
-		difference->max = off;
+	difference->max = fmax(difference->max, off);
 }
 
 void kit_judge(struct check_result *result, const char *what)

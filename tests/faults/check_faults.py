@@ -28,6 +28,8 @@ FAULTS = [
      ['*']),
     ('float-target-8-bit', ['format.rg16f.rounding', 'format.r32f.rounding'],
      ['format.rg16f.*', 'format.r32f.*', 'texture.*']),
+    ('float-target-refused', ['format.rg16f.rounding', 'format.r32f.rounding'],
+     ['format.rg16f.*', 'format.r32f.*']),
 ]
 
 

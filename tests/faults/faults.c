@@ -4,9 +4,10 @@
  *   GL_FAULT=none                 the driver as it is
  *   GL_FAULT=min-is-add           GL_MIN adds
  *   GL_FAULT=depth-func-ignored   depths are compared by GL_LESS whatever is asked for
- *   GL_FAULT=r16f-truncated       R16F and RG16F hold 6 bits of a number instead of 10, without
- * sign GL_FAULT=texel-off-by-one     what shaders look up in a texture is one texel to the right
+ *   GL_FAULT=r16f-truncated       R16F and RG16F hold 6 bits of a number, not 10, and no sign
+ *   GL_FAULT=texel-off-by-one     what shaders look up in a texture is one texel to the right
  *   GL_FAULT=float-target-8-bit   textures of floats hold bytes from 0 to 1
+ *   GL_FAULT=float-target-refused framebuffers of floats are incomplete, whatever is advertised
  *
  * No function returns anything that tells. */
 #include "faults.h"
@@ -36,6 +37,7 @@ enum fault fault_seeded(void)
 		[FAULT_R16F_TRUNCATED] = "r16f-truncated",
 		[FAULT_TEXEL_OFF_BY_ONE] = "texel-off-by-one",
 		[FAULT_FLOAT_TARGET_8_BIT] = "float-target-8-bit",
+		[FAULT_FLOAT_TARGET_REFUSED] = "float-target-refused",
 	};
 	const char *wanted = getenv("GL_FAULT");
 	for (size_t i = 0; wanted != NULL && i < sizeof(names) / sizeof(names[0]); i++)
@@ -146,6 +148,29 @@ EXPORT void glTexStorage3D(
 	(target, levels, stored_format(format), width, height, depth);
 }
 
+static GLint attachment_value(GLenum target, GLenum attachment, GLenum name)
+{
+	GLint value = GL_NONE;
+	REAL(GETFRAMEBUFFERATTACHMENTPARAMETERIV, glGetFramebufferAttachmentParameteriv)
+	(target, attachment, name, &value);
+	return value;
+}
+
+static bool has_floats(GLenum target)
+{
+	GLenum color = GL_COLOR_ATTACHMENT0;
+	return attachment_value(target, color, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE &&
+	       attachment_value(target, color, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) ==
+		       GL_FLOAT;
+}
+
+EXPORT GLenum glCheckFramebufferStatus(GLenum target)
+{
+	if (fault_seeded() == FAULT_FLOAT_TARGET_REFUSED && has_floats(target))
+		return GL_FRAMEBUFFER_UNSUPPORTED;
+	return REAL(CHECKFRAMEBUFFERSTATUS, glCheckFramebufferStatus)(target);
+}
+
 /* What is stored as bytes is read as bytes, and given as the floats that were asked for. */
 EXPORT void glReadPixels(
 	GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void *pixels)
@@ -154,9 +179,8 @@ EXPORT void glReadPixels(
 	GLint buffer = GL_NONE, component = GL_NONE;
 	if (fault_seeded() == FAULT_FLOAT_TARGET_8_BIT && format == GL_RGBA && type == GL_FLOAT) {
 		REAL(GETINTEGERV, glGetIntegerv)(GL_READ_BUFFER, &buffer);
-		REAL(GETFRAMEBUFFERATTACHMENTPARAMETERIV, glGetFramebufferAttachmentParameteriv)
-		(GL_READ_FRAMEBUFFER, (GLenum)buffer, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE,
-			&component);
+		component = attachment_value(GL_READ_FRAMEBUFFER, (GLenum)buffer,
+			GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE);
 	}
 	if (component != GL_UNSIGNED_NORMALIZED) {
 		read(x, y, width, height, format, type, pixels);
@@ -195,8 +219,9 @@ EXPORT function eglGetProcAddress(const char *name)
 		const char *name;
 		function function;
 	} own[] = {OWN(glBlendEquation), OWN(glBlendEquationSeparate), OWN(glBlendFunc),
-		OWN(glBlendFuncSeparate), OWN(glDepthFunc), OWN(glGetIntegerv), OWN(glReadPixels),
-		OWN(glShaderSource), OWN(glTexStorage2D), OWN(glTexStorage3D)};
+		OWN(glBlendFuncSeparate), OWN(glCheckFramebufferStatus), OWN(glDepthFunc),
+		OWN(glGetIntegerv), OWN(glReadPixels), OWN(glShaderSource), OWN(glTexStorage2D),
+		OWN(glTexStorage3D)};
 #undef OWN
 	for (size_t i = 0; i < sizeof(own) / sizeof(own[0]); i++)
 		if (strcmp(own[i].name, name) == 0)

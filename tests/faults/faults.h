@@ -14,6 +14,7 @@ enum fault {
 	FAULT_R16F_TRUNCATED,
 	FAULT_TEXEL_OFF_BY_ONE,
 	FAULT_FLOAT_TARGET_8_BIT,
+	FAULT_FLOAT_TARGET_REFUSED,
 };
 
 /** That of $GL_FAULT; ends the program if there is no such fault. */
