@@ -87,14 +87,8 @@ static void watch(void *data, size_t done)
 
 static bool build_list(struct session *session, struct sm_error *error)
 {
-	const struct check_options *options = &session->options;
 	check_cases_build(&session->list);
-	if (session->list.failed)
-		return error_no_memory(error);
-	if (!check_list_select(&session->list, options->globs, options->glob_count, error))
-		return false;
-	check_list_take_fraction(&session->list, options->fraction, options->fraction_start);
-	return true;
+	return !session->list.failed || error_no_memory(error);
 }
 
 static bool read_baselines(struct session *session, struct sm_error *error)
@@ -102,6 +96,15 @@ static bool read_baselines(struct session *session, struct sm_error *error)
 	for (size_t i = 0; i < session->options.baseline_count; i++)
 		if (!check_baseline_read(&session->baseline, session->options.baselines[i], error))
 			return false;
+	return check_baseline_match(&session->baseline, &session->list, error);
+}
+
+static bool select_cases(struct session *session, struct sm_error *error)
+{
+	const struct check_options *options = &session->options;
+	if (!check_list_select(&session->list, options->globs, options->glob_count, error))
+		return false;
+	check_list_take_fraction(&session->list, options->fraction, options->fraction_start);
 	return true;
 }
 
@@ -167,6 +170,7 @@ bool check_command_run(int argc, char **argv, struct sm_error *error)
 	else if (done) {
 		report_set_verbosity(options->common.debug ? 2 : options->common.verbosity);
 		done = build_list(&session, error) && read_baselines(&session, error) &&
+		       select_cases(&session, error) &&
 		       (options->list ? print_list(&session.list) : run_session(&session, error));
 	}
 	check_options_finish(&session.options);

@@ -21,6 +21,12 @@ static bool refuse(
 		problem, text);
 }
 
+static char *print_place(const struct place *place)
+{
+	char *text = NULL;
+	return asprintf(&text, "%s:%u", place->path, place->line) < 0 ? NULL : text;
+}
+
 static bool add_pattern(struct check_patterns *patterns, const char *text,
 	const struct place *place, struct sm_error *error)
 {
@@ -34,12 +40,9 @@ static bool add_pattern(struct check_patterns *patterns, const char *text,
 		regerror(code, &pattern->regex, why, sizeof(why));
 		return refuse(place, why, text, error);
 	}
-	if (asprintf(&pattern->place, "%s:%u", place->path, place->line) < 0) {
-		regfree(&pattern->regex);
-		return error_no_memory(error);
-	}
 	patterns->count++;
-	return true;
+	pattern->place = print_place(place);
+	return pattern->place != NULL || error_no_memory(error);
 }
 
 static bool is_name(const char *text)
@@ -59,16 +62,15 @@ static struct check_known *find_known(const struct check_baseline *baseline, con
 }
 
 static bool add_known(struct check_baseline *baseline, const char *name, enum check_status status,
-	struct sm_error *error)
+	const struct place *place, struct sm_error *error)
 {
 	if (!array_reserve((void **)&baseline->known, &baseline->known_capacity,
 		    baseline->known_count + 1, sizeof(*baseline->known)))
 		return error_no_memory(error);
-	struct check_known known = {.name = strdup(name), .status = status};
-	if (known.name == NULL)
-		return error_no_memory(error);
-	baseline->known[baseline->known_count++] = known;
-	return true;
+	struct check_known *known = &baseline->known[baseline->known_count++];
+	*known = (struct check_known){
+		.name = strdup(name), .place = print_place(place), .status = status};
+	return (known->name != NULL && known->place != NULL) || error_no_memory(error);
 }
 
 /* line is taken apart. */
@@ -89,7 +91,7 @@ static bool take_known(struct check_baseline *baseline, char *line, const struct
 	if (status == CHECK_EXPECTED_FAIL)
 		status = CHECK_FAIL;
 	bool passes = status != CHECK_FAIL && status != CHECK_CRASH && status != CHECK_TIMEOUT;
-	return passes || add_known(baseline, line, status, error);
+	return passes || add_known(baseline, line, status, place, error);
 }
 
 static bool ends_with(const char *path, const char *end)
@@ -117,19 +119,35 @@ static bool take_line(struct check_baseline *baseline, char *line, const struct 
 	return take_known(baseline, line, place, error);
 }
 
+/* Longer ones are no baseline's. */
+#define LINE_SIZE 4096
+
+/* The bytes of a line, and a 0; how many there are without it: none at the end of the file. */
+static size_t read_line(FILE *file, char line[LINE_SIZE])
+{
+	size_t length = 0;
+	int c = 0;
+	while (length < LINE_SIZE - 1 && c != '\n' && (c = getc(file)) != EOF)
+		line[length++] = (char)c;
+	line[length] = '\0';
+	return length;
+}
+
 static bool read_lines(
 	struct check_baseline *baseline, FILE *file, struct place *place, struct sm_error *error)
 {
-	char *line = NULL;
-	size_t capacity = 0;
-	ssize_t length;
+	char line[LINE_SIZE];
+	size_t length;
 	bool taken = true;
-	while (taken && (length = getline(&line, &capacity, file)) >= 0) {
+	while (taken && (length = read_line(file, line)) > 0) {
 		place->line++;
-		taken = strlen(line) == (size_t)length ? take_line(baseline, line, place, error)
-						       : refuse(place, "no text", line, error);
+		if (length == LINE_SIZE - 1)
+			taken = refuse(place, "the line is too long", line, error);
+		else if (strlen(line) != length)
+			taken = refuse(place, "no text", line, error);
+		else
+			taken = take_line(baseline, line, place, error);
 	}
-	free(line);
 	return taken;
 }
 
@@ -148,6 +166,12 @@ bool check_baseline_read(struct check_baseline *baseline, const char *path, stru
 	return taken;
 }
 
+static void finish_known(struct check_known *known)
+{
+	free(known->name);
+	free(known->place);
+}
+
 static void finish_patterns(struct check_patterns *patterns)
 {
 	for (size_t i = 0; i < patterns->count; i++) {
@@ -160,11 +184,24 @@ static void finish_patterns(struct check_patterns *patterns)
 void check_baseline_finish(struct check_baseline *baseline)
 {
 	for (size_t i = 0; i < baseline->known_count; i++)
-		free(baseline->known[i].name);
+		finish_known(&baseline->known[i]);
 	free(baseline->known);
 	finish_patterns(&baseline->skips);
 	finish_patterns(&baseline->flakes);
 	*baseline = (struct check_baseline){0};
+}
+
+bool check_baseline_match(const struct check_baseline *baseline, const struct check_list *list,
+	struct sm_error *error)
+{
+	for (size_t i = 0; i < baseline->known_count; i++) {
+		const struct check_known *known = &baseline->known[i];
+		if (!check_list_has(list, known->name))
+			return error_set(error, SM_ERROR_INPUT,
+				"%.300s: no case is named %.100s; see smoothie check --list",
+				known->place, known->name);
+	}
+	return true;
 }
 
 static const char *find_pattern(const struct check_patterns *patterns, const char *name)

@@ -3,12 +3,14 @@
 #define CHECK_BASELINE_H
 
 #include "base/error.h"
+#include "check/case.h"
 #include "check/result.h"
 #include <regex.h>
 
 /** A case that is known not to pass. */
 struct check_known {
-	char *name; /* owned */
+	char *name;  /* owned */
+	char *place; /* owned: the file and line it is from */
 	enum check_status status;
 };
 
@@ -43,6 +45,11 @@ struct check_baseline {
  */
 bool check_baseline_read(struct check_baseline *baseline, const char *path, struct sm_error *error);
 void check_baseline_finish(struct check_baseline *baseline);
+
+/** Whether the list, which is of all cases, has each that is known not to pass: a line that is of
+ *  none is a mistake, or is left from a case that is no more. Fails (INPUT) with file and line. */
+bool check_baseline_match(const struct check_baseline *baseline, const struct check_list *list,
+	struct sm_error *error);
 
 /** The place of the pattern that leaves a case out, or NULL. */
 const char *check_baseline_skips(const struct check_baseline *baseline, const char *name);

@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct check_case *check_list_add(
 	struct check_list *list, check_function run, const void *subject, const char *format, ...)
@@ -26,6 +27,14 @@ void check_list_finish(struct check_list *list)
 {
 	free(list->items);
 	*list = (struct check_list){0};
+}
+
+bool check_list_has(const struct check_list *list, const char *name)
+{
+	for (size_t i = 0; i < list->count; i++)
+		if (strcmp(list->items[i].name, name) == 0)
+			return true;
+	return false;
 }
 
 static bool check_globs(const struct check_list *list, const char *const *globs, size_t count,

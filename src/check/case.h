@@ -36,6 +36,8 @@ struct check_case *check_list_add(struct check_list *list, check_function run, c
 	const char *format, ...) PRINTF_LIKE(4, 5);
 void check_list_finish(struct check_list *list);
 
+bool check_list_has(const struct check_list *list, const char *name);
+
 /** Keeps the cases whose names match any of the GLOBs, in which "*" and "?" stand for dots too;
  *  without a GLOB all. Fails (INPUT) on a GLOB that matches none. */
 bool check_list_select(

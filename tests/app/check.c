@@ -34,6 +34,8 @@ static const struct {
 	{"--size 64x5000: ", {"check", "--size", "64x5000"}},
 	{"cannot read missing.txt (No such file", {"check", "--expect", "missing.txt"}},
 	{"bad-fails.txt:2: no status: Sad", {"check", "--expect", "bad-fails.txt"}},
+	{"old-fails.txt:1: no case is named clip.once",
+		{"check", "--list", "--test", "clip.near", "--expect", "old-fails.txt"}},
 	{"bad-skips.txt:1: ", {"check", "--expect", "bad-skips.txt"}},
 	{"no cap \"warp\"; there are: ", {"check", "--test", "clip.near", "--caps", "-warp"}},
 	{"no way \"x\" of the need smoothie",
@@ -45,6 +47,7 @@ static void test_bad_command_lines(void **state)
 {
 	(void)state;
 	write_text("bad-fails.txt", "clip.near,Fail\nclip.far,Sad\n");
+	write_text("old-fails.txt", "clip.once,Fail\n");
 	write_text("bad-skips.txt", "clip.(\n");
 	for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); i++) {
 		struct run run = {0};

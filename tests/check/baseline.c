@@ -95,6 +95,35 @@ static void test_zero_byte(void **state)
 	check_baseline_finish(&baseline);
 }
 
+/* What has no end of lines must not be read to its end. */
+static void test_a_line_without_end(void **state)
+{
+	struct check_baseline baseline = {0};
+	struct sm_error error = {0};
+	(void)state;
+	assert_false(check_baseline_read(&baseline, "/dev/zero", &error));
+	assert_int_equal(error.status, SM_ERROR_INPUT);
+	assert_string_equal(error.text, "/dev/zero:1: the line is too long: ");
+	check_baseline_finish(&baseline);
+}
+
+static void test_names_of_no_case(void **state)
+{
+	struct check_baseline baseline = {0};
+	struct check_list list = {0};
+	struct sm_error error = {0};
+	(void)state;
+	assert_non_null(check_list_add(&list, NULL, NULL, "clip.near"));
+	assert_true(read_text(&baseline, "a.txt", "clip.near,Fail\n", NULL));
+	assert_true(check_baseline_match(&baseline, &list, &error));
+	assert_true(read_text(&baseline, "b.txt", "\nclip.nearer,Crash\n", NULL));
+	assert_false(check_baseline_match(&baseline, &list, &error));
+	assert_int_equal(error.status, SM_ERROR_INPUT);
+	assert_non_null(strstr(error.text, "b.txt:2: no case is named clip.nearer;"));
+	check_list_finish(&list);
+	check_baseline_finish(&baseline);
+}
+
 static const char fails[] = "# Comment\n"
 			    "\n"
 			    "a.fails,Fail\r\n"
@@ -184,6 +213,8 @@ int main(void)
 		cmocka_unit_test(test_refused),
 		cmocka_unit_test(test_unreadable),
 		cmocka_unit_test(test_zero_byte),
+		cmocka_unit_test(test_a_line_without_end),
+		cmocka_unit_test(test_names_of_no_case),
 		cmocka_unit_test(test_judgement),
 		cmocka_unit_test(test_skips),
 		cmocka_unit_test(test_attempts),
