@@ -11,9 +11,11 @@ struct reader {
 	struct check_preset *preset;
 	const struct command *command;
 	const char *path;
+	FILE *file;
 	check_preset_take take;
 	void *data;
-	struct sm_error why; /* of the first line that cannot be used */
+	int line;
+	struct sm_error why; /* of the first line that cannot be used, where reading ends */
 	bool failed;
 };
 
@@ -66,12 +68,36 @@ static bool take_key(
 	return reader->take(reader->data, flag->id, kept, &reader->why);
 }
 
-/* inih goes on after a failure, and tells the line of the first. */
+static bool is_comment(const char *line)
+{
+	line += strspn(line, " \t");
+	return *line == '#' || *line == ';';
+}
+
+/* inih would take a line that is longer than its buffer for two. */
+static char *next_line(char *buffer, int size, void *data)
+{
+	struct reader *reader = data;
+	if (reader->failed || fgets(buffer, size, reader->file) == NULL)
+		return NULL;
+	reader->line++;
+	if (strchr(buffer, '\n') != NULL || feof(reader->file))
+		return buffer;
+	if (is_comment(buffer)) {
+		for (int c = 0; c != '\n' && c != EOF;)
+			c = getc(reader->file);
+		return buffer;
+	}
+	reader->failed = true;
+	error_set(&reader->why, SM_ERROR_INPUT, "a line of text shorter than %d bytes is wanted",
+		size - 1);
+	return NULL;
+}
+
 static int take_line(void *data, const char *section, const char *name, const char *value)
 {
 	struct reader *reader = data;
-	if (!reader->failed)
-		reader->failed = !take_key(reader, section, name, value);
+	reader->failed = !take_key(reader, section, name, value);
 	return !reader->failed;
 }
 
@@ -80,19 +106,22 @@ bool check_preset_read(struct check_preset *preset, const struct command *comman
 {
 	struct reader reader = {
 		.preset = preset, .command = command, .path = path, .take = take, .data = data};
-	FILE *file = fopen(path, "re");
-	if (file == NULL)
+	reader.file = fopen(path, "re");
+	if (reader.file == NULL)
 		return error_set(
 			error, SM_ERROR_INPUT, "cannot read %.300s (%s)", path, strerror(errno));
-	int line = ini_parse_file(file, take_line, &reader);
-	bool whole = !ferror(file);
-	fclose(file);
-	if (!whole || line < 0)
-		return error_set(error, SM_ERROR_INPUT, "cannot read %.300s", path);
-	if (line > 0)
-		return error_set(error, SM_ERROR_INPUT, "%.300s:%d: %s", path, line,
-			reader.failed ? reader.why.text : "NAME = VALUE is wanted");
-	return true;
+	int line = ini_parse_stream(next_line, &reader, take_line, &reader);
+	bool whole = line >= 0 && !ferror(reader.file);
+	int code = errno;
+	fclose(reader.file);
+	if (!whole)
+		return error_set(
+			error, SM_ERROR_INPUT, "cannot read %.300s (%s)", path, strerror(code));
+	if (reader.failed)
+		return error_set(
+			error, SM_ERROR_INPUT, "%.300s:%d: %s", path, reader.line, reader.why.text);
+	return line == 0 ||
+	       error_set(error, SM_ERROR_INPUT, "%.300s:%d: NAME = VALUE is wanted", path, line);
 }
 
 void check_preset_finish(struct check_preset *preset)

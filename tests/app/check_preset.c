@@ -40,6 +40,28 @@ static void test_flags_are_taken_in_order(void **state)
 		&(struct run){{"check", "--list", "--fraction", "4", "--preset", "half.ini"}}, 4);
 }
 
+/* 240 bytes, which is more than inih takes for a line */
+#define TWENTY "0123456789abcdefghij"
+#define LONG TWENTY TWENTY TWENTY TWENTY TWENTY TWENTY TWENTY TWENTY TWENTY TWENTY TWENTY TWENTY
+
+static void test_comments_may_be_long(void **state)
+{
+	(void)state;
+	write_text("preset.ini", "# " LONG "\n[check]\ntest = depth.mask\n");
+	assert_cases(&(struct run){{"check", "--list", "--preset", "preset.ini"}}, 1);
+}
+
+static void test_files_without_text(void **state)
+{
+	(void)state;
+	struct outcome folder = RUN("check", "--list", "--preset", ".");
+	struct outcome zeros = RUN("check", "--list", "--preset", "/dev/zero");
+	assert_failure(&folder, 2, "cannot read . (Is a directory)");
+	assert_failure(&zeros, 2, "/dev/zero:1: a line of text");
+	outcome_finish(&folder);
+	outcome_finish(&zeros);
+}
+
 static void test_files_that_cannot_be_used(void **state)
 {
 	(void)state;
@@ -53,6 +75,7 @@ static void test_files_that_cannot_be_used(void **state)
 		{"[check]\npreset = preset.ini\n", "preset.ini:2: no flag with a value"},
 		{"jobs = 1\n", "preset.ini:1: section [check] is wanted, not []"},
 		{"[check]\n\njobs\n", "preset.ini:3: NAME = VALUE is wanted"},
+		{"[check]\ntest = " LONG "\n", "preset.ini:2: a line of text shorter than"},
 	};
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		if (cases[i].text != NULL)
@@ -79,6 +102,10 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup_teardown(
 			test_flags_are_taken_in_order, enter_scratch, leave_scratch),
+		cmocka_unit_test_setup_teardown(
+			test_comments_may_be_long, enter_scratch, leave_scratch),
+		cmocka_unit_test_setup_teardown(
+			test_files_without_text, enter_scratch, leave_scratch),
 		cmocka_unit_test_setup_teardown(
 			test_files_that_cannot_be_used, enter_scratch, leave_scratch),
 		cmocka_unit_test_setup_teardown(
