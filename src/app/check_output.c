@@ -82,13 +82,12 @@ bool check_output_result(
 
 static void print_summary(const struct check_run *run)
 {
-	size_t counts[CHECK_STATUS_COUNT] = {0};
-	for (size_t i = 0; i < run->count; i++)
-		counts[run->results[i].status]++;
-	for (size_t status = 0; status < CHECK_STATUS_COUNT; status++)
-		if (counts[status] > 0)
-			printf("%-15s %zu\n", check_status_name((enum check_status)status),
-				counts[status]);
+	for (size_t i = 0; i < CHECK_STATUS_COUNT; i++) {
+		enum check_status status = (enum check_status)i;
+		size_t count = check_run_count(run, status);
+		if (count > 0)
+			printf("%-15s %zu\n", check_status_name(status), count);
+	}
 	printf("%-15s %zu in %.1f s\n", run->complete ? "All" : "Ended early", run->count,
 		run->seconds);
 }
@@ -108,9 +107,7 @@ bool check_output_end(struct check_output *output, struct sm_error *error)
 
 bool check_output_verdict(const struct check_run *run, struct sm_error *error)
 {
-	size_t unexpected = 0;
-	for (size_t i = 0; i < run->count; i++)
-		unexpected += check_status_is_unexpected(run->results[i].status);
+	size_t unexpected = check_run_count_unexpected(run);
 	if (!run->complete)
 		return error_set(
 			error, SM_ERROR_MACHINE, "the run was ended after %zu cases", run->count);

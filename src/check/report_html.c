@@ -7,22 +7,6 @@
 #include <inttypes.h>
 #include <time.h>
 
-static size_t count_status(const struct check_run *run, enum check_status status)
-{
-	size_t count = 0;
-	for (size_t i = 0; i < run->count; i++)
-		count += run->results[i].status == status;
-	return count;
-}
-
-static size_t count_unexpected(const struct check_run *run)
-{
-	size_t count = 0;
-	for (size_t i = 0; i < run->count; i++)
-		count += check_status_is_unexpected(run->results[i].status);
-	return count;
-}
-
 static void print_head(FILE *file)
 {
 	page_begin("smoothie check", file);
@@ -59,7 +43,7 @@ static void print_counts(const struct check_run *run, FILE *file)
 	fputs("<nav><p>", file);
 	for (int i = 0; i < CHECK_STATUS_COUNT; i++) {
 		enum check_status status = (enum check_status)i;
-		size_t count = count_status(run, status);
+		size_t count = check_run_count(run, status);
 		if (count > 0)
 			fprintf(file, "<span class=\"tag %s\">%zu %s</span> ", page_class(status),
 				count, check_status_name(status));
@@ -71,7 +55,7 @@ static void print_counts(const struct check_run *run, FILE *file)
 
 static void print_verdict(const struct check_run *run, FILE *file)
 {
-	size_t unexpected = count_unexpected(run);
+	size_t unexpected = check_run_count_unexpected(run);
 	bool passed = unexpected == 0 && run->complete;
 	fputs("<header>\n<div class=\"verdict\"><h1>smoothie check</h1> ", file);
 	if (unexpected > 0)
@@ -97,7 +81,7 @@ static void print_filter(const struct check_run *run, FILE *file)
 	fputs("<div class=\"filter\" role=\"search\">\n", file);
 	for (int i = 0; i < CHECK_STATUS_COUNT; i++) {
 		enum check_status status = (enum check_status)i;
-		size_t count = count_status(run, status);
+		size_t count = check_run_count(run, status);
 		if (count > 0)
 			fprintf(file,
 				"<button type=\"button\" class=\"%s\" data-status=\"%s\" "

@@ -73,3 +73,19 @@ const char *check_run_fact(const struct check_run *run, const char *key)
 			return run->facts[i].value;
 	return "";
 }
+
+size_t check_run_count(const struct check_run *run, enum check_status status)
+{
+	size_t count = 0;
+	for (size_t i = 0; i < run->count; i++)
+		count += run->results[i].status == status;
+	return count;
+}
+
+size_t check_run_count_unexpected(const struct check_run *run)
+{
+	size_t count = 0;
+	for (size_t i = 0; i < run->count; i++)
+		count += check_status_is_unexpected(run->results[i].status);
+	return count;
+}

@@ -84,4 +84,8 @@ bool check_run_add_fact(struct check_run *run, const char *key, const char *valu
 /** The first value with this key, or "" without one; it is the run's. */
 const char *check_run_fact(const struct check_run *run, const char *key);
 
+/** Results of a status, and those that the run fails for. */
+size_t check_run_count(const struct check_run *run, enum check_status status);
+size_t check_run_count_unexpected(const struct check_run *run);
+
 #endif
