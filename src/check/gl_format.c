@@ -4,6 +4,7 @@
 #include "check/gl_cases.h"
 #include "check/gl_kit.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum kind {
@@ -54,13 +55,21 @@ static const char least_fragment[] =
 	"	color = min(min(kit_value(0), kit_value(1)), min(kit_value(2), kit_value(3)));\n"
 	"}\n";
 
+static const char fetch_fragment[] = "#extension GL_EXT_shader_framebuffer_fetch : require\n"
+				     "uniform int layer;\n"
+				     "inout vec4 color;\n"
+				     "void main() {\n"
+				     "	color = min(color, kit_value(layer));\n"
+				     "}\n";
+
 #define LAYERS 4
 
 static void use(struct kit *kit, const char *fragment)
 {
 	char source[1000];
-	strcpy(source, kit_value_source);
-	strcat(source, fragment);
+	size_t head = fragment[0] == '#' ? strcspn(fragment, "\n") + 1 : 0;
+	snprintf(source, sizeof(source), "%.*s%s%s", (int)head, fragment, kit_value_source,
+		fragment + head);
 	kit_program(kit, 300, NULL, source);
 }
 
@@ -121,26 +130,45 @@ static void run_rounding(
 			lost / count > .25 ? "steps, truncated" : "steps, rounded to the nearest");
 }
 
-static void blend_least(struct kit *kit)
+static void draw_layers(struct kit *kit, const char *fragment)
 {
 	static const GLfloat one[4] = {1, 1, 1, 1};
 	if (kit->failed)
 		return;
 	glClearBufferfv(GL_COLOR, 0, one);
-	glEnable(GL_BLEND);
-	glBlendEquation(GL_MIN);
-	use(kit, value_fragment);
+	use(kit, fragment);
 	for (int layer = 0; layer < LAYERS; layer++) {
 		kit_set_int(kit, "layer", layer);
 		kit_fill(kit);
 	}
 }
 
+static void blend_least(struct kit *kit)
+{
+	glEnable(GL_BLEND);
+	glBlendEquation(GL_MIN);
+	draw_layers(kit, value_fragment);
+}
+
 /* Formats round monotonically, so the least of what is stored is what the least is stored as. */
+static void judge_least(struct kit *kit, const struct format *format, GLuint texture)
+{
+	static float found[KIT_TEXELS][4], computed[KIT_TEXELS][4];
+	kit_read(kit, texture, found);
+	texture = make_target(kit, format);
+	use(kit, least_fragment);
+	kit_fill(kit);
+	kit_read(kit, texture, computed);
+	for (size_t i = 0; !kit->failed && i < KIT_TEXELS; i++)
+		for (int c = 0; c < 4 && format->bits[c] > 0; c++)
+			kit_compare(kit->result, found[i][c], computed[i][c], 0);
+	if (kit_finish(kit))
+		kit_judge(kit->result, "the least of four layers");
+}
+
 static void run_min(
 	const struct check_case *item, struct check_context *context, struct check_result *result)
 {
-	static float blended[KIT_TEXELS][4], computed[KIT_TEXELS][4];
 	const struct format *format = item->subject;
 	struct kit kit;
 	(void)context;
@@ -149,16 +177,21 @@ static void run_min(
 		kit_need_extension(&kit, format->blending);
 	GLuint texture = make_target(&kit, format);
 	blend_least(&kit);
-	kit_read(&kit, texture, blended);
-	texture = make_target(&kit, format);
-	use(&kit, least_fragment);
-	kit_fill(&kit);
-	kit_read(&kit, texture, computed);
-	for (size_t i = 0; !kit.failed && i < KIT_TEXELS; i++)
-		for (int c = 0; c < 4 && format->bits[c] > 0; c++)
-			kit_compare(result, blended[i][c], computed[i][c], 0);
-	if (kit_finish(&kit))
-		kit_judge(result, "the least of four layers");
+	judge_least(&kit, format, texture);
+}
+
+/* Taken by the shader, of floats, which can be stored again as they were read. */
+static void run_min_fetch(
+	const struct check_case *item, struct check_context *context, struct check_result *result)
+{
+	const struct format *format = item->subject;
+	struct kit kit;
+	(void)context;
+	kit_init(&kit, result);
+	kit_need_extension(&kit, "GL_EXT_shader_framebuffer_fetch");
+	GLuint texture = make_target(&kit, format);
+	draw_layers(&kit, fetch_fragment);
+	judge_least(&kit, format, texture);
 }
 
 /* A colour mask keeps MIN from channels that are not written. */
@@ -264,8 +297,12 @@ void gl_format_cases(struct check_list *list)
 		{"clear", run_clear},
 		{"linear", run_linear},
 	};
-	for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); i++)
+	for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); i++) {
 		for (size_t j = 0; j < sizeof(checks) / sizeof(checks[0]); j++)
 			check_list_add(list, checks[j].run, &formats[i], "format.%s.%s",
 				formats[i].name, checks[j].name);
+		if (formats[i].kind == FLOAT)
+			check_list_add(list, run_min_fetch, &formats[i], "format.%s.min-fetch",
+				formats[i].name);
+	}
 }

@@ -132,8 +132,11 @@ static void compile(struct kit *kit, GLuint program, GLenum stage, int version, 
 	char first[32];
 	GLint compiled = GL_FALSE;
 	snprintf(first, sizeof(first), "#version %d es\n", version);
+	/* What it takes must stand before all else. */
+	size_t head = strncmp(source, "#extension", 10) == 0 ? strcspn(source, "\n") + 1 : 0;
 	GLuint shader = glCreateShader(stage);
-	glShaderSource(shader, 3, (const char *[]){first, header, source}, NULL);
+	glShaderSource(shader, 4, (const char *[]){first, source, header, source + head},
+		(GLint[]){-1, (GLint)head, -1, -1});
 	glCompileShader(shader);
 	glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
 	if (!compiled && !kit->failed) {
