@@ -23,6 +23,13 @@ static struct check_report report(const struct check_output *output)
 		.folder = output->options->output, .run = output->run, .write = output_write};
 }
 
+static bool write_all(struct check_output *output, struct sm_error *error)
+{
+	struct check_report files = report(output);
+	return output->options->output == NULL ||
+	       as_machine(check_report_write(&files, error), error);
+}
+
 static bool write_results(struct check_output *output, struct sm_error *error)
 {
 	struct check_report files = report(output);
@@ -44,8 +51,10 @@ bool check_output_begin(struct check_output *output, const struct check_options 
 	if (options->output != NULL &&
 		!as_machine(report_make_folder(options->output, error), error))
 		return false;
-	if (!write_results(output, error))
+	/* Whatever ends this run, none of the files is of one before. */
+	if (!write_all(output, error))
 		return false;
+	output->written = stopwatch_now();
 	if (options->tap)
 		check_tap_begin(stdout, count);
 	else
@@ -94,10 +103,8 @@ static void print_summary(const struct check_run *run)
 
 bool check_output_end(struct check_output *output, struct sm_error *error)
 {
-	struct check_report files = report(output);
 	progress_finish(&output->progress);
-	bool written = output->options->output == NULL ||
-		       as_machine(check_report_write(&files, error), error);
+	bool written = write_all(output, error);
 	if (output->options->tap && !output->run->complete)
 		check_tap_bail_out(stdout, written ? "the run was ended" : error->text);
 	else if (!output->options->tap)

@@ -173,23 +173,61 @@ static void test_folders_that_cannot_be_written(void **state)
 	outcome_finish(&file);
 }
 
-/* The first file that does not fit ends the run; those before it are whole. */
+static bool is_page(const char *path)
+{
+	char *text = read_text(path);
+	bool whole = strstr(text, "The run ended before all cases had.") != NULL &&
+		     strstr(text, "</html>\n") != NULL;
+	free(text);
+	return whole;
+}
+
+/* The report has 16 KB at the start and 21 KB at the end. The first file that does not fit ends the
+ * run; it stays as it was, and those before it are as the run left them. */
 static void test_a_full_disk(void **state)
 {
-	static const char complete[] = "out/results.csv";
 	const struct run run = {
 		.arguments = {"check", SURFACELESS, "--test", "clip.*", "--output", "out"},
-		.file_limit = 600,
+		.file_limit = 18500,
 	};
 	(void)state;
 	struct outcome outcome = run_program(&run);
-	assert_failure(&outcome, 1, "cannot write out/");
-	assert_true(exists(complete));
-	assert_false(exists("out/report.html"));
+	assert_failure(&outcome, 1, "cannot write out/report.html");
+	char *results = read_text("out/results.csv");
+	assert_int_equal(count_lines(results), 14);
+	free(results);
+	assert_true(is_page("out/report.html"));
 	assert_int_equal(chdir("out"), 0);
 	assert_int_equal(count_entries(".smoothie-"), 0);
 	assert_int_equal(chdir(".."), 0);
 	outcome_finish(&outcome);
+}
+
+static bool tells_of(const char *path, const char *name)
+{
+	char *text = read_text(path);
+	bool told = strstr(text, name) != NULL;
+	free(text);
+	return told;
+}
+
+/* Killed as soon as it has begun, a run leaves nothing of the one before it. */
+static void test_files_are_of_this_run(void **state)
+{
+	static const struct timespec pause = {.tv_nsec = 10000000};
+	const struct run run = {
+		.arguments = {"check", SURFACELESS, "--test", "repeat.*", "--output", "out"}};
+	(void)state;
+	struct outcome before = RUN("check", SURFACELESS, "--test", "clip.near", "--output", "out");
+	assert_true(tells_of("out/junit.xml", "clip.near"));
+	pid_t pid = start_program(&run);
+	for (int i = 0; i < 500 && tells_of("out/report.html", "clip.near"); i++)
+		nanosleep(&pause, NULL);
+	kill(pid, SIGKILL);
+	assert_int_equal(await_program(pid), 128 + SIGKILL);
+	assert_false(tells_of("out/junit.xml", "clip.near"));
+	assert_true(is_page("out/report.html"));
+	outcome_finish(&before);
 }
 
 static void test_an_interrupted_run_leaves_what_it_has(void **state)
@@ -230,6 +268,7 @@ int main(void)
 		IN_SCRATCH(test_timeouts_are_told),
 		IN_SCRATCH(test_folders_that_cannot_be_written),
 		IN_SCRATCH(test_a_full_disk),
+		IN_SCRATCH(test_files_are_of_this_run),
 		IN_SCRATCH(test_an_interrupted_run_leaves_what_it_has),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
