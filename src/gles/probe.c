@@ -216,9 +216,14 @@ static const char *read_values(struct probe *probe)
 	uint8_t bytes[READINGS][4];
 	bool gathers = !caps_rule_out(&gpu->caps, CAP_TEXTURE_GATHER) ||
 		       gpu->caps.found[CAP_TEXTURE_GATHER].there;
-	struct program_key key = {PROGRAM_PROBE_READ, gathers ? FLAG_GATHER : 0};
+	struct program_key key = {PROGRAM_PROBE_READ, FLAG_GATHER};
 	target_bind(&probe->bytes, gl);
-	if (program_use(&gpu->programs, gl, key, NULL) == NULL)
+	if (gathers && program_use(&gpu->programs, gl, key, NULL) == NULL) {
+		caps_note(&gpu->caps, CAP_TEXTURE_GATHER, false, "%s", no_program);
+		gathers = false;
+	}
+	key.flags = 0;
+	if (!gathers && program_use(&gpu->programs, gl, key, NULL) == NULL)
 		return no_program;
 	draw_triangle(gl);
 	gl->ReadPixels(0, 0, READINGS, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
