@@ -183,7 +183,9 @@ struct sm_driver_options {
 };
 
 /** As sm_renderer_create(). Fails (INPUT) on an unknown cap, need or way, (MACHINE) where the
- * driver lacks what a way takes. Nothing of *options is kept. */
+ *  driver lacks what a way takes. That is found out by drawing, so that with paths state is
+ * expected and left as by sm_renderer_describe(). A way of a need that the technique or precision
+ * does not have changes nothing. Nothing of *options is kept. */
 SM_API struct sm_renderer *sm_renderer_create_with(
 	sm_get_proc get_proc, const struct sm_driver_options *options, struct sm_error *error);
 /** What techniques need of a driver and get in one of several ways; NULL past the last. */
