@@ -468,7 +468,8 @@ static void so_it_is_when_drawing_fails(void **state)
 	/* Depth, fins, and more than one kind of surface, of two shaders each. */
 	assert_true(spoil_one_by_one(rig, "smoothie") >= 6);
 	assert_true(spoil_one_by_one(rig, "smoothie-two-sided") >= 6);
-	assert_true(spoil_one_by_one(rig, "vsm") >= 6);
+	if (rig_can_draw("vsm"))
+		assert_true(spoil_one_by_one(rig, "vsm") >= 6);
 }
 
 static void so_it_is_after_a_copy_to_a_screen(void **state)

@@ -58,6 +58,8 @@ static void draw_all_ways(struct rig *rig, const struct sm_camera *camera)
 	for (size_t i = 0; i < sizeof(ways) / sizeof(ways[0]); i++) {
 		struct visibility seen;
 		struct sm_shadow_options options = ways[i];
+		if (!rig_can_draw(options.technique))
+			continue;
 		options.map_size = 128;
 		rig_set_shadows(rig, &options);
 		visibility_draw(&seen, rig, rig->scene, camera, SIZE, SIZE);

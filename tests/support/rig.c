@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "rig.h"
 #include "platform.h"
+#include <GLES3/gl3.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -70,6 +72,26 @@ void rig_use_path(struct rig *rig, const char *path)
 		fail_msg("%s", error.text);
 	print_message("%s\n", error.text);
 	skip();
+}
+
+static bool has_extension(const char *name)
+{
+	GLint count = 0;
+	glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+	for (GLint i = 0; i < count; i++)
+		if (strcmp((const char *)glGetStringi(GL_EXTENSIONS, (GLuint)i), name) == 0)
+			return true;
+	return false;
+}
+
+bool rig_can_draw(const char *technique)
+{
+	if (technique == NULL || strcmp(technique, "vsm") != 0 ||
+		has_extension("GL_EXT_color_buffer_float") ||
+		has_extension("GL_EXT_color_buffer_half_float"))
+		return true;
+	print_message("%s is skipped: there is no target of floats\n", technique);
+	return false;
 }
 
 void rig_set_shadows(struct rig *rig, const struct sm_shadow_options *options)

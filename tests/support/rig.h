@@ -23,6 +23,10 @@ void rig_use_driver(struct rig *rig, const struct sm_driver_options *options);
 /** The same with one path forced; skips the test where the driver cannot. */
 void rig_use_path(struct rig *rig, const char *path);
 
+/** Whether the context is one that the technique can be drawn in: "vsm" takes a target of floats. A
+ *  line says so if it is not. */
+bool rig_can_draw(const char *technique);
+
 /** The functions of smoothie.h, failing the test with their error's text. */
 void rig_set_shadows(struct rig *rig, const struct sm_shadow_options *options);
 void rig_draw(struct rig *rig, const struct sm_scene *scene, const struct sm_view *view);

@@ -90,6 +90,8 @@ static void check_plane(struct rig *rig, enum sm_light_type type, double scale, 
 	struct sm_light_desc light = light_from(type, 0, distance * scale);
 	parts_add_light(rig->scene, &light);
 	for (size_t t = 0; t < COUNT(techniques); t++) {
+		if (!rig_can_draw(techniques[t].name))
+			continue;
 		for (size_t m = 0; m < COUNT(map_sizes); m++) {
 			set_map(rig, &techniques[t], map_sizes[m]);
 			for (int angle = 0; angle <= 80; angle += 10) {
@@ -168,6 +170,8 @@ static void check_sphere(struct rig *rig, enum sm_light_type type)
 	for (size_t i = 0; i < COUNT(techniques) * COUNT(map_sizes); i++) {
 		const struct technique *technique = &techniques[i % COUNT(techniques)];
 		uint32_t map_size = map_sizes[i / COUNT(techniques)];
+		if (!rig_can_draw(technique->name))
+			continue;
 		set_map(rig, technique, map_size);
 		for (int angle = 0; angle <= 90; angle += 30) {
 			struct visibility seen;
@@ -226,6 +230,8 @@ static void check_foot(struct rig *rig, enum sm_light_type type)
 	for (size_t i = 0; i < COUNT(techniques) * COUNT(map_sizes); i++) {
 		const struct technique *technique = &techniques[i % COUNT(techniques)];
 		uint32_t map_size = map_sizes[i / COUNT(techniques)];
+		if (!rig_can_draw(technique->name))
+			continue;
 		set_map(rig, technique, map_size);
 		for (int angle = 20; angle <= 80; angle += 15) {
 			struct visibility seen;
