@@ -114,11 +114,11 @@ class Browser(unittest.TestCase):
 
     def test_wipes_are_told_to_who_cannot_see_them(self):
         self.open(height=8000)  # of what is far below, Chromium tells later
-        sliders = self.page.accessible('slider')
+        sliders = self.page.accessible('slider', 3)
         self.assertEqual(len(sliders), 3)
         self.assertEqual(sliders[0][0], 'Wipe: share of the picture that shows the result of '
                                         'exact.smoothie.fixed12.fence')
-        pictures = [name for name, _ in self.page.accessible('image')]
+        pictures = [name for name, _ in self.page.accessible('image', 9)]
         self.assertIn('Difference of exact.smoothie.fixed12.fence', pictures)
 
     def test_nothing_is_requested(self):

@@ -121,11 +121,17 @@ class Page:
             self.call('Input.dispatchMouseEvent', type=kind, x=x, y=y, button='left',
                       buttons=buttons, clickCount=1)
 
-    def accessible(self, role):
-        """Name and value of what is told as that role to who cannot see it."""
-        nodes = self.call('Accessibility.getFullAXTree')['nodes']
-        return [(node['name']['value'], node.get('value', {}).get('value')) for node in nodes
-                if node.get('role', {}).get('value') == role]
+    def accessible(self, role, count):
+        """Name and value of what is told as that role to who cannot see it: waits until there are
+        so many, since Chromium tells them some time after the page is loaded."""
+        end = time.monotonic() + PATIENCE
+        while True:
+            nodes = self.call('Accessibility.getFullAXTree')['nodes']
+            found = [(node['name']['value'], node.get('value', {}).get('value'))
+                     for node in nodes if node.get('role', {}).get('value') == role]
+            if len(found) >= count or time.monotonic() > end:
+                return found
+            time.sleep(0.05)
 
     def shoot(self, path):
         """Takes the viewport as a Picture, kept at the path."""
