@@ -20,21 +20,6 @@ static const struct format formats[] = {
 	{"d32fs8", GL_DEPTH32F_STENCIL8, 0},
 };
 
-static const struct test {
-	const char *name;
-	GLenum func;
-	bool passes[3]; /* what is nearer, as far, and farther */
-} tests[] = {
-	{"never", GL_NEVER, {false, false, false}},
-	{"less", GL_LESS, {true, false, false}},
-	{"equal", GL_EQUAL, {false, true, false}},
-	{"lequal", GL_LEQUAL, {true, true, false}},
-	{"greater", GL_GREATER, {false, false, true}},
-	{"notequal", GL_NOTEQUAL, {true, false, true}},
-	{"gequal", GL_GEQUAL, {false, true, true}},
-	{"always", GL_ALWAYS, {true, true, true}},
-};
-
 static const char value_fragment[] = "uniform int layer;\n"
 				     "void main() {\n"
 				     "	gl_FragDepth = kit_value(layer).r;\n"
@@ -167,7 +152,7 @@ static void run_test(
 		"}\n";
 	static float texels[KIT_TEXELS][4];
 	static const GLfloat depth = .5f, zero[4] = {0, 0, 0, 0};
-	const struct test *test = item->subject;
+	const struct kit_comparison *test = item->subject;
 	struct kit kit;
 	(void)context;
 	kit_init(&kit, result);
@@ -182,7 +167,7 @@ static void run_test(
 	kit_fill(&kit);
 	kit_read(&kit, color, texels);
 	for (size_t i = 0; !kit.failed && i < KIT_TEXELS; i++)
-		kit_compare(result, texels[i][0], test->passes[i % KIT_SIZE * 3 / KIT_SIZE], 0);
+		kit_compare(result, texels[i][0], test->holds[i % KIT_SIZE * 3 / KIT_SIZE], 0);
 	if (kit_finish(&kit))
 		kit_judge(result, "which pixels are drawn");
 }
@@ -225,7 +210,8 @@ void gl_depth_cases(struct check_list *list)
 		for (size_t j = 0; j < sizeof(checks) / sizeof(checks[0]); j++)
 			check_list_add(list, checks[j].run, &formats[i], "depth.%s.%s",
 				formats[i].name, checks[j].name);
-	for (size_t i = 0; i < sizeof(tests) / sizeof(tests[0]); i++)
-		check_list_add(list, run_test, &tests[i], "depth.test.%s", tests[i].name);
+	for (size_t i = 0; i < KIT_COMPARISONS; i++)
+		check_list_add(list, run_test, &kit_comparisons[i], "depth.test.%s",
+			kit_comparisons[i].name);
 	check_list_add(list, run_mask, NULL, "depth.mask");
 }

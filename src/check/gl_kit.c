@@ -19,6 +19,17 @@ static const char screen_vertex[] = "uniform float z;\n"
 				    "}\n";
 
 /* 40503 is odd: no two multiples of it are the same modulo 65536. */
+const struct kit_comparison kit_comparisons[KIT_COMPARISONS] = {
+	{"never", GL_NEVER, {false, false, false}},
+	{"less", GL_LESS, {true, false, false}},
+	{"equal", GL_EQUAL, {false, true, false}},
+	{"lequal", GL_LEQUAL, {true, true, false}},
+	{"greater", GL_GREATER, {false, false, true}},
+	{"notequal", GL_NOTEQUAL, {true, false, true}},
+	{"gequal", GL_GEQUAL, {false, true, true}},
+	{"always", GL_ALWAYS, {true, true, true}},
+};
+
 const char kit_value_source[] =
 	"vec4 kit_value(int layer) {\n"
 	"	uint texel = uint(gl_FragCoord.y) * 64u + uint(gl_FragCoord.x);\n"

@@ -68,6 +68,17 @@ void kit_read_integers(struct kit *kit, GLuint texture, bool is_signed, uint32_t
 /** Draws a shader whose main() sets `uvec4 bits`, its sources bound, and reads that. */
 void kit_evaluate(struct kit *kit, int version, const char *fragment, uint32_t (*texels)[4]);
 
+/** A function that compares depths, and whether it holds for a reference, or a fragment, that is
+ *  nearer than what is there, as far, and farther (OpenGL ES 3.0, table 3.22). */
+struct kit_comparison {
+	const char *name;
+	GLenum func;
+	bool holds[3];
+};
+
+#define KIT_COMPARISONS 8
+extern const struct kit_comparison kit_comparisons[KIT_COMPARISONS];
+
 /** Counts into result->difference what is off by more than a tolerance. */
 void kit_compare(struct check_result *result, double drawn, double wanted, double tolerance);
 /** When all is compared: a pass if nothing failed, and else a failure; the message starts with

@@ -16,22 +16,6 @@ static const struct format {
 	{"d32f", GL_DEPTH_COMPONENT32F},
 };
 
-/* Reference on the left, as OpenGL ES 3.0, table 3.22, has it. */
-static const struct function {
-	const char *name;
-	GLint func;
-	bool holds[3]; /* for a reference below, at, and above the depth */
-} functions[] = {
-	{"never", GL_NEVER, {false, false, false}},
-	{"less", GL_LESS, {true, false, false}},
-	{"equal", GL_EQUAL, {false, true, false}},
-	{"lequal", GL_LEQUAL, {true, true, false}},
-	{"greater", GL_GREATER, {false, false, true}},
-	{"notequal", GL_NOTEQUAL, {true, false, true}},
-	{"gequal", GL_GEQUAL, {false, true, true}},
-	{"always", GL_ALWAYS, {true, true, true}},
-};
-
 /* Depths that every format holds: steps of 1/8, and both ends. */
 static const char depth_fragment[] = "void main() {\n"
 				     "	ivec2 p = ivec2(gl_FragCoord.xy);\n"
@@ -90,11 +74,11 @@ static void run_function(
 	const struct check_case *item, struct check_context *context, struct check_result *result)
 {
 	static float found[KIT_TEXELS][4];
-	const struct function *function = item->subject;
+	const struct kit_comparison *function = item->subject;
 	struct kit kit;
 	(void)context;
 	kit_init(&kit, result);
-	make_map(&kit, GL_DEPTH_COMPONENT32F, function->func, GL_NEAREST);
+	make_map(&kit, GL_DEPTH_COMPONENT32F, (GLint)function->func, GL_NEAREST);
 	evaluate(&kit, 300, "vec4(texture(map, vec3(at, 0.5)))", found);
 	for (size_t i = 0; !kit.failed && i < KIT_TEXELS; i++) {
 		double depth = depth_at(i);
@@ -195,9 +179,9 @@ static void run_gather(
 
 void gl_shadow_cases(struct check_list *list)
 {
-	for (size_t i = 0; i < sizeof(functions) / sizeof(functions[0]); i++)
-		check_list_add(
-			list, run_function, &functions[i], "shadow.func.%s", functions[i].name);
+	for (size_t i = 0; i < KIT_COMPARISONS; i++)
+		check_list_add(list, run_function, &kit_comparisons[i], "shadow.func.%s",
+			kit_comparisons[i].name);
 	for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); i++) {
 		for (size_t j = 0; j < sizeof(references) / sizeof(references[0]); j++) {
 			/* Floats are not clamped. */
