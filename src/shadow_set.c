@@ -153,12 +153,22 @@ size_t shadow_set_geometry_bytes(const struct shadow_set *set)
 	return bytes;
 }
 
-static bool add_state(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)
+/* Of surfaces that the technique has drawn with its map alone; what it drew before has none. */
+static bool choose_map_flags(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)
 {
 	struct depth_ways ways;
+	if (set->technique->prepare == NULL)
+		return true;
 	if (!depth_ways_choose(&ways, gpu, error))
 		return false;
 	set->map_flags = FLAG_SHADOWED | FLAG_HARD | ways.compare;
+	return true;
+}
+
+static bool add_state(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)
+{
+	if (!choose_map_flags(set, gpu, error))
+		return false;
 	if (!array_reserve((void **)&set->states, &set->capacity, set->count + 1, sizeof(void *)))
 		return error_no_memory(error);
 	void *state = calloc(1, set->technique->state_size);

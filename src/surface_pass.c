@@ -282,15 +282,20 @@ static bool draw_in_parts(struct surface_pass *pass, const struct object *object
 	return true;
 }
 
+/* Whether a shadowed surface takes less in some parts than in others: what was looked up before
+ * takes as little everywhere. */
+static bool has_parts(const struct sm_renderer *renderer)
+{
+	return renderer->shadows.technique->prepare != NULL && !renderer->whole;
+}
+
 static bool draw_object(
 	struct surface_pass *pass, const struct object *object, struct sm_error *error)
 {
 	struct gpu *gpu = &pass->renderer->gpu;
 	const struct gpu_mesh *mesh = &gpu->scene.meshes[object->mesh];
 	uint32_t flags = object_flags(pass, object);
-	/* What was looked up before takes as little everywhere. */
-	bool looks_up = pass->renderer->shadows.technique->prepare != NULL;
-	if (flags & FLAG_SHADOWED && looks_up && !pass->renderer->whole)
+	if (flags & FLAG_SHADOWED && has_parts(pass->renderer))
 		return draw_in_parts(pass, object, flags, error);
 	if (!use_program(pass, flags, error))
 		return false;
@@ -303,7 +308,7 @@ static void map_needs(struct surface_pass *pass)
 {
 	const struct sm_renderer *renderer = pass->renderer;
 	const struct technique *technique = renderer->shadows.technique;
-	if (pass->light != NULL)
+	if (pass->light != NULL && has_parts(renderer))
 		need_map_find(&pass->need_map, &renderer->gpu.scene, pass->scene, pass->frame,
 			technique->soft_grid != NULL ? technique->soft_grid(pass->shadow) : NULL,
 			technique->reach != NULL ? technique->reach(pass->shadow, pass->frame)
