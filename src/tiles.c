@@ -4,8 +4,8 @@
 /* A gap of fewer tiles than this between two runs costs less to shade than to leave out. */
 #define GAP_MIN 8
 
-/* Of a triangle cut by the near plane and a tile's four sides. A cut adds one, but where corners lie
- * in a plane rounding may put every second one outside: 4, 6, 9, 13, 19. */
+/* Of a triangle cut by the near plane and a tile's four sides. A cut adds one, but where corners
+ * lie in a plane rounding may put every second one outside: 4, 6, 9, 13, 19. */
 #define CORNERS_MAX 20
 
 /* A point of a surface in two clip spaces. Both are linear over a triangle, so that cutting it in

@@ -40,8 +40,8 @@ void light_frame_init(
 #define LOOKUP_REACH_NEAREST 0.55f
 #define LOOKUP_REACH_LINEAR 1.05f
 
-/** The most that a receiver may be biased by for each texel that it is looked up around, in a map of
- *  `size` texels a side: limit[0] + limit[1] d at window depth d. */
+/** The most that a receiver may be biased by for each texel that it is looked up around, in a map
+ * of `size` texels a side: limit[0] + limit[1] d at window depth d. */
 void light_frame_bias_limit(const struct light_frame *frame, float size, float limit[2]);
 
 #endif

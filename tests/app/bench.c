@@ -317,16 +317,23 @@ static void test_stress_prints_a_line_for_each_sweep(void **state)
 	outcome_finish(&outcome);
 }
 
-static bool is_alive(pid_t pid)
+/* As in /proc/PID/stat: 'T' stopped, 'Z' ended and not waited for, 'X' gone. */
+static char find_state(pid_t pid)
 {
 	char path[64], state = 'X';
 	snprintf(path, sizeof(path), "/proc/%d/stat", (int)pid);
 	FILE *file = fopen(path, "r");
 	if (file == NULL)
-		return false;
+		return 'X';
 	if (fscanf(file, "%*d %*s %c", &state) != 1)
 		state = 'X';
 	fclose(file);
+	return state;
+}
+
+static bool is_alive(pid_t pid)
+{
+	char state = find_state(pid);
 	return state != 'X' && state != 'Z';
 }
 
@@ -372,6 +379,24 @@ static void test_signals_end_it_and_its_children(void **state)
 	}
 }
 
+/*
+ * By SIGABRT, since a sanitizer handles other crashes itself and may deadlock in that. A child that
+ * stands still cannot have ended by itself meanwhile, as some do. Just one: the children of a
+ * program that ends may be its leak checker's.
+ */
+static bool crash_a_child(pid_t parent)
+{
+	for (int wait = 0; wait < 5000 && is_alive(parent); wait++) {
+		pid_t child = find_child(parent);
+		if (child > 0 && find_state(child) == 'T')
+			return kill(child, SIGABRT) == 0 && kill(child, SIGCONT) == 0;
+		if (child > 0)
+			kill(child, SIGSTOP);
+		pause_ms(1);
+	}
+	return false;
+}
+
 /* A driver that crashes must not take the run's message with it. */
 static void test_a_crash_is_one_line(void **state)
 {
@@ -386,22 +411,14 @@ static void test_a_crash_is_one_line(void **state)
 			"--out=out", NULL);
 		_exit(127);
 	}
-	/* One may end by itself just then: the next crashes. */
-	for (int wait = 0; wait < 600 && is_alive(pid); wait++) {
-		pid_t child = find_child(pid);
-		if (child > 0)
-			kill(child, SIGSEGV);
-		pause_ms(5);
-	}
+	assert_true(crash_a_child(pid));
 	assert_int_equal(await_program(pid), 1);
 	char line[512] = "";
 	rewind(error);
 	assert_true(fread(line, 1, sizeof(line) - 1, error) > 0);
 	fclose(error);
-	if (SMOOTHIE_SANITIZED) /* which report the crash themselves */
-		skip();
 	assert_non_null(strstr(line, "builtin:cylinder: "));
-	assert_non_null(strstr(line, "crashed (Segmentation fault)\n"));
+	assert_non_null(strstr(line, "crashed (Aborted)\n"));
 	assert_ptr_equal(strchr(line, '\n') + 1, line + strlen(line));
 }
 
