@@ -11,7 +11,8 @@ struct caster {
 	size_t vertex_count;
 	float (*positions)[3]; /* [vertex_count], distinct, without negative zeros */
 	size_t triangle_count;
-	uint32_t *indices; /* [3 * triangle_count] */
+	uint32_t *indices;   /* [3 * triangle_count] */
+	size_t closed_count; /* triangles, from the first, that have no boundary */
 	struct edge_table edges;
 	struct face_planes planes;
 };

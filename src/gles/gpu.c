@@ -63,6 +63,22 @@ void gpu_draw_caster(struct gpu *gpu, const struct gpu_mesh *mesh)
 	draw_elements(gpu, 0, (size_t)mesh->caster_count, mesh->caster_type);
 }
 
+void gpu_draw_sheets(struct gpu *gpu, const struct gpu_mesh *mesh, const struct sheet_rule *rule)
+{
+	struct gl *gl = &gpu->gl;
+	size_t count = (size_t)mesh->caster_count, one_sided = 3 * rule->one_sided;
+	gl->BindVertexArray(mesh->caster);
+	gl->FrontFace(rule->mirrored ? GL_CW : GL_CCW);
+	if (one_sided > 0) {
+		gl->Enable(GL_CULL_FACE);
+		draw_elements(gpu, 0, one_sided, mesh->caster_type);
+	}
+	if (one_sided < count) {
+		gl->Disable(GL_CULL_FACE);
+		draw_elements(gpu, one_sided, count - one_sided, mesh->caster_type);
+	}
+}
+
 static bool reserve_quads(struct gpu *gpu, size_t quad_count, struct sm_error *error)
 {
 	if (quad_count <= gpu->quad_capacity)

@@ -42,6 +42,10 @@ void gpu_draw_surface(
 /** Draws a mesh as a caster. */
 void gpu_draw_caster(struct gpu *gpu, const struct gpu_mesh *mesh);
 
+/** Draws the sheets of a caster that count under the rule: of those that do on one side the
+ *  triangles that face, of the others all. Sets which faces are drawn. */
+void gpu_draw_sheets(struct gpu *gpu, const struct gpu_mesh *mesh, const struct sheet_rule *rule);
+
 /** Draws quads of the bound vertex array, four vertices each, whatever their number; fails
  *  (MACHINE) for want of memory. */
 bool gpu_draw_quads(struct gpu *gpu, size_t quad_count, struct sm_error *error);

@@ -266,6 +266,15 @@ bool mesh_hides_back(const struct mesh *mesh, mat4 to_clip)
 	return mesh->solid && box_beyond_near(mesh->min, mesh->max, to_clip);
 }
 
+struct sheet_rule mesh_sheet_rule(const struct mesh *mesh, mat4 transform, mat4 to_clip)
+{
+	bool whole = box_beyond_near(mesh->min, mesh->max, to_clip);
+	return (struct sheet_rule){
+		.one_sided = whole ? mesh->caster.closed_count : 0,
+		.mirrored = glm_mat4_det(transform) < 0.0f,
+	};
+}
+
 uint32_t sm_scene_mesh_count(const struct sm_scene *scene)
 {
 	return (uint32_t)scene->mesh_count;

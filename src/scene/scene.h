@@ -3,6 +3,7 @@
 #define SCENE_SCENE_H
 
 #include "geom/mesh.h"
+#include "geom/sheets.h"
 #include <cglm/cglm.h>
 #include <smoothie.h>
 
@@ -42,5 +43,10 @@ void object_update_bounds(const struct sm_scene *scene, struct object *object);
 /** Whether nothing that the mesh shows with its back is ever in front: it is solid, and all of its
  *  box beyond the near plane. */
 bool mesh_hides_back(const struct mesh *mesh, mat4 to_clip);
+
+/** Which of the caster's triangles count for a light: those of closed parts on one side, unless the
+ *  near plane might cut the mesh open. transform: of the object; to_clip: object to the light's
+ *  clip space. */
+struct sheet_rule mesh_sheet_rule(const struct mesh *mesh, mat4 transform, mat4 to_clip);
 
 #endif

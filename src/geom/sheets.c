@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+#include "geom/sheets.h"
+#include <assert.h>
+
+/* The triangles from `first` on that do not face. */
+static void find_back(
+	const struct caster *caster, size_t first, const uint64_t *facing, uint64_t *back)
+{
+	size_t words = facing_words(caster);
+	for (size_t w = 0; w < words; w++)
+		back[w] = w < first / EDGE_BLOCK ? 0 : ~facing[w];
+	back[first / EDGE_BLOCK] &= UINT64_MAX << first % EDGE_BLOCK;
+	if (caster->triangle_count % EDGE_BLOCK != 0)
+		back[words - 1] &= (UINT64_C(1) << caster->triangle_count % EDGE_BLOCK) - 1;
+}
+
+static void reverse(struct silhouette_edge *edges, size_t begin, size_t end)
+{
+	for (size_t i = begin; i < end; i++)
+		edges[i] = (struct silhouette_edge){edges[i].b, edges[i].a};
+}
+
+static size_t smaller(size_t a, size_t b)
+{
+	return a < b ? a : b;
+}
+
+size_t sheets_find(const struct caster *caster, const struct sheet_rule *rule,
+	const uint64_t *facing, uint64_t *back, struct silhouette_edge *edges, size_t capacity)
+{
+	assert(rule->one_sided <= caster->closed_count);
+	size_t count = silhouette_find(caster, facing, edges, capacity);
+	size_t written = smaller(count, capacity);
+	if (rule->mirrored)
+		reverse(edges, 0, written);
+	if (rule->one_sided == caster->triangle_count)
+		return count;
+	find_back(caster, rule->one_sided, facing, back);
+	size_t left = capacity - written;
+	size_t more = silhouette_find(caster, back, left > 0 ? edges + written : NULL, left);
+	/* What shows its back is on the right of its edges, but for a mirror. */
+	if (!rule->mirrored)
+		reverse(edges, written, written + smaller(more, left));
+	return count + more;
+}
