@@ -42,7 +42,8 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 	order(caster);
 	if (!edge_table_init(&caster->edges, caster->indices, triangle_count, caster->vertex_count))
 		goto error;
-	if (caster->edges.open + caster->edges.non_manifold + caster->edges.inverted == 0)
+	const struct edge_counts *counts = &caster->edges.counts;
+	if (counts->open + counts->non_manifold + counts->inverted == 0)
 		caster->closed_count = triangle_count;
 	if (!face_planes_init(&caster->planes, caster->positions, caster->vertex_count,
 		    caster->indices, triangle_count))

@@ -6,53 +6,6 @@
 /* What the table holds about a half-edge, while it is built. Triangles are below 2^31. */
 #define NO_RECORD (UINT32_MAX - 1)
 
-/* A half-edge, filed under its two vertices. */
-struct side {
-	uint32_t vertex[2]; /* ascending */
-	uint32_t triangle;
-	uint8_t k;        /* corner of the triangle */
-	uint8_t reversed; /* 1: it runs from vertex[1] to vertex[0] */
-};
-
-static size_t corner_of(const struct side *side)
-{
-	return 3 * (size_t)side->triangle + side->k;
-}
-
-static size_t collect_sides(const uint32_t *indices, size_t triangle_count, struct side *sides)
-{
-	size_t count = 0;
-	for (size_t t = 0; t < triangle_count; t++) {
-		const uint32_t *v = &indices[3 * t];
-		if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
-			continue;
-		for (int k = 0; k < 3; k++) {
-			uint32_t from = v[k], to = v[(k + 1) % 3];
-			sides[count++] = (struct side){
-				.vertex = {from < to ? from : to, from < to ? to : from},
-				.triangle = (uint32_t)t,
-				.k = (uint8_t)k,
-				.reversed = from > to,
-			};
-		}
-	}
-	return count;
-}
-
-/* A stable counting sort by vertex[end]; ends: [vertex_count + 1]. */
-static void sort_sides(const struct side *sides, size_t count, int end, size_t *ends,
-	size_t vertex_count, struct side *sorted)
-{
-	for (size_t v = 0; v <= vertex_count; v++)
-		ends[v] = 0;
-	for (size_t i = 0; i < count; i++)
-		ends[sides[i].vertex[end] + 1]++;
-	for (size_t v = 0; v < vertex_count; v++)
-		ends[v + 1] += ends[v];
-	for (size_t i = 0; i < count; i++)
-		sorted[ends[sides[i].vertex[end]]++] = sides[i];
-}
-
 /* The first side from i on that runs this way. */
 static size_t next_side(const struct side *sides, size_t count, size_t i, uint8_t reversed)
 {
@@ -69,56 +22,32 @@ static void pair_group(const struct side *sides, size_t count, uint32_t *neighbo
 	while (i < count && j < count) {
 		const struct side *owner = &sides[i < j ? i : j];
 		const struct side *other = &sides[i < j ? j : i];
-		neighbours[corner_of(owner)] = other->triangle;
+		neighbours[side_corner(owner)] = other->triangle;
 		i = next_side(sides, count, i + 1, 0);
 		j = next_side(sides, count, j + 1, 1);
 	}
 	for (; i < count; i = next_side(sides, count, i + 1, 0))
-		neighbours[corner_of(&sides[i])] = EDGE_OPEN;
+		neighbours[side_corner(&sides[i])] = EDGE_OPEN;
 	for (; j < count; j = next_side(sides, count, j + 1, 1))
-		neighbours[corner_of(&sides[j])] = EDGE_OPEN;
+		neighbours[side_corner(&sides[j])] = EDGE_OPEN;
 }
 
-static void count_group(struct edge_table *table, const struct side *sides, size_t count)
-{
-	table->edge_count++;
-	table->open += count == 1;
-	table->non_manifold += count > 2;
-	table->inverted += count == 2 && sides[0].reversed == sides[1].reversed;
-}
-
-/* Fills neighbours: [3 * triangle_count] and the counts of undirected edges. */
+/* Fills neighbours: [3 * triangle_count] and the counts. */
 static bool pair_sides(struct edge_table *table, const uint32_t *indices, size_t vertex_count,
 	uint32_t *neighbours)
 {
-	size_t corner_count = 3 * table->triangle_count;
-	for (size_t c = 0; c < corner_count; c++)
+	for (size_t c = 0; c < 3 * table->triangle_count; c++)
 		neighbours[c] = NO_RECORD;
-
-	bool ok = false;
-	struct side *sides = array_alloc(corner_count, sizeof(*sides));
-	struct side *sorted = array_alloc(corner_count, sizeof(*sorted));
-	size_t *ends = array_alloc(vertex_count + 1, sizeof(*ends));
-	if (sides == NULL || sorted == NULL || ends == NULL)
-		goto out;
-
-	size_t count = collect_sides(indices, table->triangle_count, sides);
-	sort_sides(sides, count, 1, ends, vertex_count, sorted);
-	sort_sides(sorted, count, 0, ends, vertex_count, sides);
-	for (size_t begin = 0, end; begin < count; begin = end) {
-		end = begin + 1;
-		while (end < count && sides[end].vertex[0] == sides[begin].vertex[0] &&
-			sides[end].vertex[1] == sides[begin].vertex[1])
-			end++;
-		pair_group(&sides[begin], end - begin, neighbours);
-		count_group(table, &sides[begin], end - begin);
+	struct sides sides;
+	if (!sides_init(&sides, indices, table->triangle_count, vertex_count))
+		return false;
+	for (size_t begin = 0, count; begin < sides.count; begin += count) {
+		count = sides_at_edge(&sides, begin);
+		pair_group(&sides.items[begin], count, neighbours);
+		edge_counts_add(&table->counts, &sides.items[begin], count);
 	}
-	ok = true;
-out:
-	free(sides);
-	free(sorted);
-	free(ends);
-	return ok;
+	sides_finish(&sides);
+	return true;
 }
 
 static bool is_near(size_t owner, uint32_t neighbour)

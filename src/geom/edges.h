@@ -2,6 +2,7 @@
 #ifndef GEOM_EDGES_H
 #define GEOM_EDGES_H
 
+#include "geom/sides.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -42,12 +43,7 @@ struct edge_table {
 	uint16_t *far_distances; /* neighbour - owner; 0: open; EDGE_ESCAPE: see escapes */
 	size_t escape_count;
 	uint32_t *escapes; /* neighbours too far for a distance, in the far records' order */
-
-	/* Of undirected edges: distinct pairs of vertices. */
-	size_t edge_count;
-	size_t open;         /* with one triangle */
-	size_t non_manifold; /* with more than two */
-	size_t inverted;     /* with two, which run through it the same way */
+	struct edge_counts counts;
 };
 
 #define EDGE_ESCAPE UINT16_MAX

@@ -55,7 +55,7 @@ static bool parts_are_outward(const struct caster *caster, uint32_t *parents, do
 
 bool caster_is_solid(const struct caster *caster)
 {
-	const struct edge_table *edges = &caster->edges;
+	const struct edge_counts *edges = &caster->edges.counts;
 	if (edges->open > 0 || edges->non_manifold > 0 || edges->inverted > 0)
 		return false;
 	uint32_t *parents = array_alloc(caster->vertex_count, sizeof(*parents));

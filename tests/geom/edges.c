@@ -65,14 +65,10 @@ static void pair_off(const struct half_edge *group, size_t count, uint32_t *expe
 	}
 }
 
-struct counts {
-	size_t edges, open, non_manifold, inverted;
-};
-
 /* expected: [3 * triangle_count]: the neighbour of the record that a corner owns */
-static struct counts expect(const uint32_t *indices, size_t triangle_count, uint32_t *expected)
+static struct edge_counts expect(const uint32_t *indices, size_t triangle_count, uint32_t *expected)
 {
-	struct counts counts = {0};
+	struct edge_counts counts = {0};
 	struct half_edge *list = malloc(3 * triangle_count * sizeof(*list));
 	assert_non_null(list);
 	size_t count = list_half_edges(indices, triangle_count, list);
@@ -120,11 +116,11 @@ static void check_table(
 {
 	uint32_t *expected = malloc(3 * triangle_count * sizeof(*expected));
 	assert_non_null(expected);
-	struct counts counts = expect(indices, triangle_count, expected);
-	assert_int_equal(table->edge_count, counts.edges);
-	assert_int_equal(table->open, counts.open);
-	assert_int_equal(table->non_manifold, counts.non_manifold);
-	assert_int_equal(table->inverted, counts.inverted);
+	struct edge_counts counts = expect(indices, triangle_count, expected);
+	assert_int_equal(table->counts.edges, counts.edges);
+	assert_int_equal(table->counts.open, counts.open);
+	assert_int_equal(table->counts.non_manifold, counts.non_manifold);
+	assert_int_equal(table->counts.inverted, counts.inverted);
 	check_records(table, expected);
 	free(expected);
 }
@@ -203,7 +199,7 @@ static void counts_kinds_of_edges(void **state)
 	const struct {
 		const char *name;
 		struct model model;
-		struct counts counts;
+		struct edge_counts counts;
 	} cases[] = {
 		{"tetrahedron", model_tetrahedron(), {.edges = 6}},
 		{"cube", model_cube(), {.edges = 18}},
