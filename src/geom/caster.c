@@ -23,13 +23,19 @@ static bool weld(struct caster *caster, const float (*positions)[3], size_t vert
 	return ok;
 }
 
+static void order_range(struct caster *caster, size_t first, size_t count)
+{
+	uint32_t *indices = &caster->indices[3 * first];
+	meshopt_optimizeVertexCache(indices, indices, 3 * count, caster->vertex_count);
+}
+
 /* Neighbours near each other keep the edge table small and the search in the cache. */
 static void order(struct caster *caster)
 {
-	size_t index_count = 3 * caster->triangle_count;
-	meshopt_optimizeVertexCache(
-		caster->indices, caster->indices, index_count, caster->vertex_count);
-	meshopt_optimizeVertexFetch(caster->positions, caster->indices, index_count,
+	size_t closed = caster->found.closed_count;
+	order_range(caster, 0, closed);
+	order_range(caster, closed, caster->triangle_count - closed);
+	meshopt_optimizeVertexFetch(caster->positions, caster->indices, 3 * caster->triangle_count,
 		caster->positions, caster->vertex_count, sizeof(*caster->positions));
 }
 
@@ -39,12 +45,12 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 	*caster = (struct caster){.triangle_count = triangle_count};
 	if (!weld(caster, positions, vertex_count, indices))
 		goto error;
+	if (!orientation_repair(&caster->found, (const float(*)[3])caster->positions,
+		    caster->vertex_count, caster->indices, triangle_count))
+		goto error;
 	order(caster);
 	if (!edge_table_init(&caster->edges, caster->indices, triangle_count, caster->vertex_count))
 		goto error;
-	const struct edge_counts *counts = &caster->edges.counts;
-	if (counts->open + counts->non_manifold + counts->inverted == 0)
-		caster->closed_count = triangle_count;
 	if (!face_planes_init(&caster->planes, caster->positions, caster->vertex_count,
 		    caster->indices, triangle_count))
 		goto error;

@@ -4,15 +4,16 @@
 
 #include "geom/edges.h"
 #include "geom/face.h"
+#include "geom/orientation.h"
 
-/** A mesh as its silhouettes are searched: welded by position alone, in a triangle order of its
- *  own that keeps neighbours near. */
+/** A mesh as its silhouettes are searched: welded by position alone, wound consistently, in a
+ *  triangle order of its own that has closed parts first and else keeps neighbours near. */
 struct caster {
 	size_t vertex_count;
 	float (*positions)[3]; /* [vertex_count], distinct, without negative zeros */
 	size_t triangle_count;
-	uint32_t *indices;   /* [3 * triangle_count] */
-	size_t closed_count; /* triangles, from the first, that have no boundary */
+	uint32_t *indices; /* [3 * triangle_count] */
+	struct orientation found;
 	struct edge_table edges;
 	struct face_planes planes;
 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/edges.h"
 #include "base/array.h"
+#include "geom/sides.h"
 #include <stdlib.h>
 
 /* What the table holds about a half-edge, while it is built. Triangles are below 2^31. */
@@ -32,8 +33,8 @@ static void pair_group(const struct side *sides, size_t count, uint32_t *neighbo
 		neighbours[side_corner(&sides[j])] = EDGE_OPEN;
 }
 
-/* Fills neighbours: [3 * triangle_count] and the counts. */
-static bool pair_sides(struct edge_table *table, const uint32_t *indices, size_t vertex_count,
+/* Fills neighbours: [3 * triangle_count]. */
+static bool pair_sides(const struct edge_table *table, const uint32_t *indices, size_t vertex_count,
 	uint32_t *neighbours)
 {
 	for (size_t c = 0; c < 3 * table->triangle_count; c++)
@@ -44,7 +45,6 @@ static bool pair_sides(struct edge_table *table, const uint32_t *indices, size_t
 	for (size_t begin = 0, count; begin < sides.count; begin += count) {
 		count = sides_at_edge(&sides, begin);
 		pair_group(&sides.items[begin], count, neighbours);
-		edge_counts_add(&table->counts, &sides.items[begin], count);
 	}
 	sides_finish(&sides);
 	return true;

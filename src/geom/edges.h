@@ -2,7 +2,6 @@
 #ifndef GEOM_EDGES_H
 #define GEOM_EDGES_H
 
-#include "geom/sides.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -43,7 +42,6 @@ struct edge_table {
 	uint16_t *far_distances; /* neighbour - owner; 0: open; EDGE_ESCAPE: see escapes */
 	size_t escape_count;
 	uint32_t *escapes; /* neighbours too far for a distance, in the far records' order */
-	struct edge_counts counts;
 };
 
 #define EDGE_ESCAPE UINT16_MAX

@@ -18,6 +18,18 @@ void face_normal(const float p0[3], const float p1[3], const float p2[3], double
 	normal[2] = u[0] * v[1] - u[1] * v[0];
 }
 
+double face_volume(const float p0[3], const float p1[3], const float p2[3], const float origin[3])
+{
+	const float *corners[3] = {p0, p1, p2};
+	double p[3][3];
+	for (int k = 0; k < 3; k++)
+		for (int i = 0; i < 3; i++)
+			p[k][i] = (double)corners[k][i] - origin[i];
+	return p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) +
+	       p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
+	       p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+}
+
 static double length(const double v[3])
 {
 	return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);

@@ -9,6 +9,10 @@
 /** (p1 - p0) x (p2 - p0) in double: twice the area long, towards the side that faces. */
 void face_normal(const float p0[3], const float p1[3], const float p2[3], double normal[3]);
 
+/** Six times the signed volume between the triangle and a point: positive where the triangle shows
+ *  that point its back. */
+double face_volume(const float p0[3], const float p1[3], const float p2[3], const float origin[3]);
+
 /**
  * The triangles' planes, 8 bytes each, for a first and nearly always final answer to which side a
  * light is on: with unit normal n and offset d = n . (p0 - center) / radius, rounded to

@@ -28,7 +28,7 @@ static size_t smaller(size_t a, size_t b)
 size_t sheets_find(const struct caster *caster, const struct sheet_rule *rule,
 	const uint64_t *facing, uint64_t *back, struct silhouette_edge *edges, size_t capacity)
 {
-	assert(rule->one_sided <= caster->closed_count);
+	assert(rule->one_sided <= caster->found.closed_count);
 	size_t count = silhouette_find(caster, facing, edges, capacity);
 	size_t written = smaller(count, capacity);
 	if (rule->mirrored)

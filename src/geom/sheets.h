@@ -7,8 +7,8 @@
 /** Which of a caster's triangles count as sheets between a light and what it lights. */
 struct sheet_rule {
 	/** So many triangles, from the first, count where they face the light; the others whichever
-	 *  side they show. At most caster.closed_count: along any ray that meets a closed surface,
-	 *  one that begins outside, as many triangles face as do not. */
+	 *  side they show. At most caster.found.closed_count: along any ray that meets a closed
+	 * surface, one that begins outside, as many triangles face as do not. */
 	size_t one_sided;
 	bool mirrored; /* the object's transform turns left and right around */
 };

@@ -73,10 +73,16 @@ size_t sides_at_edge(const struct sides *sides, size_t begin)
 	return end - begin;
 }
 
-void edge_counts_add(struct edge_counts *counts, const struct side *sides, size_t count)
+struct edge_counts sides_count_edges(const struct sides *sides)
 {
-	counts->edges++;
-	counts->open += count == 1;
-	counts->non_manifold += count > 2;
-	counts->inverted += count == 2 && sides[0].reversed == sides[1].reversed;
+	struct edge_counts counts = {0};
+	for (size_t begin = 0, count; begin < sides->count; begin += count) {
+		const struct side *side = &sides->items[begin];
+		count = sides_at_edge(sides, begin);
+		counts.edges++;
+		counts.open += count == 1;
+		counts.non_manifold += count > 2;
+		counts.inverted += count == 2 && side[0].reversed == side[1].reversed;
+	}
+	return counts;
 }

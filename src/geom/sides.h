@@ -38,8 +38,7 @@ void sides_finish(struct sides *sides);
 /** How many sides the edge has whose first is item `begin`. */
 size_t sides_at_edge(const struct sides *sides, size_t begin);
 
-/** Counts an edge with these sides. */
-void edge_counts_add(struct edge_counts *counts, const struct side *sides, size_t count);
+struct edge_counts sides_count_edges(const struct sides *sides);
 
 static inline size_t side_corner(const struct side *side)
 {

@@ -29,14 +29,8 @@ static void join_triangles(const struct caster *caster, uint32_t *parents)
  * that a mesh far from its origin keeps its digits. */
 static double volume_under(const struct caster *caster, const uint32_t corner[3], uint32_t origin)
 {
-	double p[3][3];
-	for (int k = 0; k < 3; k++)
-		for (int axis = 0; axis < 3; axis++)
-			p[k][axis] = (double)caster->positions[corner[k]][axis] -
-				     (double)caster->positions[origin][axis];
-	return p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) +
-	       p[0][1] * (p[1][2] * p[2][0] - p[1][0] * p[2][2]) +
-	       p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+	const float(*p)[3] = (const float(*)[3])caster->positions;
+	return face_volume(p[corner[0]], p[corner[1]], p[corner[2]], p[origin]);
 }
 
 static bool parts_are_outward(const struct caster *caster, uint32_t *parents, double *volumes)
@@ -55,8 +49,9 @@ static bool parts_are_outward(const struct caster *caster, uint32_t *parents, do
 
 bool caster_is_solid(const struct caster *caster)
 {
-	const struct edge_counts *edges = &caster->edges.counts;
-	if (edges->open > 0 || edges->non_manifold > 0 || edges->inverted > 0)
+	const struct edge_counts *edges = &caster->found.edges;
+	if (edges->open > 0 || edges->non_manifold > 0 || edges->inverted > 0 ||
+		caster->found.turned > 0)
 		return false;
 	uint32_t *parents = array_alloc(caster->vertex_count, sizeof(*parents));
 	double *volumes = array_zalloc(caster->vertex_count, sizeof(*volumes));

@@ -270,7 +270,7 @@ struct sheet_rule mesh_sheet_rule(const struct mesh *mesh, mat4 transform, mat4 
 {
 	bool whole = box_beyond_near(mesh->min, mesh->max, to_clip);
 	return (struct sheet_rule){
-		.one_sided = whole ? mesh->caster.closed_count : 0,
+		.one_sided = whole ? mesh->caster.found.closed_count : 0,
 		.mirrored = glm_mat4_det(transform) < 0.0f,
 	};
 }
