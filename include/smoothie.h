@@ -89,8 +89,12 @@ struct sm_mesh_stats {
 	size_t open_edges; /**< with one triangle */
 	size_t non_manifold_edges; /**< with more than two */
 	size_t inverted_edges;     /**< with two triangles that run through it the same way */
-	size_t edge_bytes;         /**< packed edge table */
-	size_t plane_bytes;        /**< face planes for the facing test */
+	/** A part hangs together over edges with two triangles. A closed one, without a rim, casts
+	 *  its shadow as a solid, an open one as a sheet, from either side. */
+	size_t closed_parts, open_parts;
+	size_t turned_triangles; /**< as they cast shadows: each part is wound one way */
+	size_t edge_bytes;       /**< packed edge table */
+	size_t plane_bytes;      /**< face planes for the facing test */
 };
 
 SM_API void sm_scene_get_mesh_stats(

@@ -60,6 +60,9 @@ static struct sm_mesh_stats sum_meshes(const struct sm_scene *scene)
 		sum.open_edges += stats.open_edges;
 		sum.non_manifold_edges += stats.non_manifold_edges;
 		sum.inverted_edges += stats.inverted_edges;
+		sum.closed_parts += stats.closed_parts;
+		sum.open_parts += stats.open_parts;
+		sum.turned_triangles += stats.turned_triangles;
 		sum.edge_bytes += stats.edge_bytes;
 		sum.plane_bytes += stats.plane_bytes;
 	}
@@ -86,6 +89,9 @@ static void add_scene(struct facts *facts, const struct sm_scene *scene)
 	facts_format(facts, "open edges", "%zu", stats.open_edges);
 	facts_format(facts, "non-manifold edges", "%zu", stats.non_manifold_edges);
 	facts_format(facts, "inverted edges", "%zu", stats.inverted_edges);
+	facts_format(facts, "closed parts", "%zu", stats.closed_parts);
+	facts_format(facts, "open parts", "%zu", stats.open_parts);
+	facts_format(facts, "turned triangles", "%zu", stats.turned_triangles);
 	facts_format(facts, "bytes per edge", "%.1f", bytes_per_edge(&stats, stats.edge_bytes));
 	facts_format(facts, "bytes per edge with planes", "%.1f",
 		bytes_per_edge(&stats, stats.edge_bytes + stats.plane_bytes));

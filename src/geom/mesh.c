@@ -226,6 +226,9 @@ static void count_up(struct mesh *mesh)
 		.open_edges = caster->found.edges.open,
 		.non_manifold_edges = caster->found.edges.non_manifold,
 		.inverted_edges = caster->found.edges.inverted,
+		.closed_parts = caster->found.closed_parts,
+		.open_parts = caster->found.open_parts,
+		.turned_triangles = caster->found.turned,
 		.edge_bytes = edge_table_bytes(&caster->edges),
 		.plane_bytes = face_planes_bytes(&caster->planes),
 	};

@@ -7,15 +7,17 @@
 
 #include <cmocka.h>
 
-/* A square pyramid without its base. */
+/* A square pyramid without its base, one side turned over. */
 static const char pyramid[] = "v 0 1 0\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\n"
-			      "f 1 3 2\nf 1 4 3\nf 1 5 4\nf 1 2 5\n";
+			      "f 1 3 2\nf 1 4 3\nf 1 4 5\nf 1 2 5\n";
 
-static void test_open_edges_are_counted(void **state)
+static void test_edges_and_parts_are_counted(void **state)
 {
 	(void)state;
 	static const char *const lines[] = {"meshes: 1\n", "\ntriangles: 4\n",
-		"\nwelded vertices: 5\n", "\nedges: 8\n", "\nopen edges: 4\n"};
+		"\nwelded vertices: 5\n", "\nedges: 8\n", "\nopen edges: 4\n",
+		"\ninverted edges: 2\n", "\nclosed parts: 0\n", "\nopen parts: 1\n",
+		"\nturned triangles: 1\n"};
 	write_text("pyramid.obj", pyramid);
 	struct outcome outcome = RUN("info", "pyramid.obj");
 	ASSERT_LINES(&outcome, lines);
@@ -26,7 +28,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup_teardown(
-			test_open_edges_are_counted, enter_scratch, leave_scratch),
+			test_edges_and_parts_are_counted, enter_scratch, leave_scratch),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
