@@ -82,7 +82,8 @@ SM_API bool sm_scene_add_mesh(struct sm_scene *scene, const struct sm_mesh_desc 
 /** Facts about one mesh after welding. */
 struct sm_mesh_stats {
 	size_t triangles;
-	size_t degenerate_triangles; /**< no area: they face nowhere */
+	size_t repeated_triangles;   /**< between the same vertices as another: cast no shadow */
+	size_t degenerate_triangles; /**< of the others; no area: they face nowhere */
 	size_t vertices;             /**< as given, identical ones merged */
 	size_t welded_vertices;      /**< distinct positions */
 	size_t edges;      /**< distinct pairs of welded vertices joined by a triangle side */

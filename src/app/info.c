@@ -53,6 +53,7 @@ static struct sm_mesh_stats sum_meshes(const struct sm_scene *scene)
 		struct sm_mesh_stats stats;
 		sm_scene_get_mesh_stats(scene, mesh, &stats);
 		sum.triangles += stats.triangles;
+		sum.repeated_triangles += stats.repeated_triangles;
 		sum.degenerate_triangles += stats.degenerate_triangles;
 		sum.vertices += stats.vertices;
 		sum.welded_vertices += stats.welded_vertices;
@@ -82,6 +83,7 @@ static void add_scene(struct facts *facts, const struct sm_scene *scene)
 	facts_format(facts, "objects", "%u", sm_scene_object_count(scene));
 	facts_format(facts, "lights", "%u", sm_scene_light_count(scene));
 	facts_format(facts, "triangles", "%zu", stats.triangles);
+	facts_format(facts, "repeated triangles", "%zu", stats.repeated_triangles);
 	facts_format(facts, "degenerate triangles", "%zu", stats.degenerate_triangles);
 	facts_format(facts, "vertices", "%zu", stats.vertices);
 	facts_format(facts, "welded vertices", "%zu", stats.welded_vertices);

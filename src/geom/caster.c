@@ -46,13 +46,14 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 	if (!weld(caster, positions, vertex_count, indices))
 		goto error;
 	if (!orientation_repair(&caster->found, (const float(*)[3])caster->positions,
-		    caster->vertex_count, caster->indices, triangle_count))
+		    caster->vertex_count, caster->indices, &caster->triangle_count))
 		goto error;
 	order(caster);
-	if (!edge_table_init(&caster->edges, caster->indices, triangle_count, caster->vertex_count))
+	if (!edge_table_init(
+		    &caster->edges, caster->indices, caster->triangle_count, caster->vertex_count))
 		goto error;
 	if (!face_planes_init(&caster->planes, caster->positions, caster->vertex_count,
-		    caster->indices, triangle_count))
+		    caster->indices, caster->triangle_count))
 		goto error;
 	return true;
 error:

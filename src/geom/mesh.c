@@ -218,7 +218,8 @@ static void count_up(struct mesh *mesh)
 {
 	const struct caster *caster = &mesh->caster;
 	mesh->stats = (struct sm_mesh_stats){
-		.triangles = caster->triangle_count,
+		.triangles = mesh->index_count / 3,
+		.repeated_triangles = caster->found.repeated,
 		.degenerate_triangles = caster->planes.degenerate,
 		.vertices = mesh->vertex_count,
 		.welded_vertices = caster->vertex_count,

@@ -2,6 +2,7 @@
 #include "geom/orientation.h"
 #include "base/array.h"
 #include "geom/face.h"
+#include "geom/repeats.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,21 +30,17 @@ struct parts {
 	int32_t *balance;   /* [triangle_count], of each part: zero between uses */
 };
 
-static bool parts_init(
-	struct parts *parts, const uint32_t *indices, size_t triangle_count, size_t vertex_count)
+static bool parts_init(struct parts *parts, size_t triangle_count)
 {
-	*parts = (struct parts){
-		.triangle_count = triangle_count,
-		.across = array_alloc(triangle_count, 3 * sizeof(*parts->across)),
-		.order = array_alloc(triangle_count, sizeof(*parts->order)),
-		.part_of = array_alloc(triangle_count, sizeof(*parts->part_of)),
-		.turned = array_zalloc(triangle_count, sizeof(*parts->turned)),
-		.parts = array_alloc(triangle_count, sizeof(*parts->parts)),
-		.balance = array_zalloc(triangle_count, sizeof(*parts->balance)),
-	};
+	parts->triangle_count = triangle_count;
+	parts->across = array_alloc(triangle_count, 3 * sizeof(*parts->across));
+	parts->order = array_alloc(triangle_count, sizeof(*parts->order));
+	parts->part_of = array_alloc(triangle_count, sizeof(*parts->part_of));
+	parts->turned = array_zalloc(triangle_count, sizeof(*parts->turned));
+	parts->parts = array_alloc(triangle_count, sizeof(*parts->parts));
+	parts->balance = array_zalloc(triangle_count, sizeof(*parts->balance));
 	return parts->across != NULL && parts->order != NULL && parts->part_of != NULL &&
-	       parts->turned != NULL && parts->parts != NULL && parts->balance != NULL &&
-	       sides_init(&parts->sides, indices, triangle_count, vertex_count);
+	       parts->turned != NULL && parts->parts != NULL && parts->balance != NULL;
 }
 
 static void parts_finish(struct parts *parts)
@@ -55,6 +52,23 @@ static void parts_finish(struct parts *parts)
 	free(parts->turned);
 	free(parts->parts);
 	free(parts->balance);
+}
+
+/* Fills parts->sides: those of what is left. */
+static bool drop_repeated(struct parts *parts, struct orientation *found, size_t vertex_count,
+	uint32_t *indices, size_t *triangle_count)
+{
+	size_t all = *triangle_count;
+	if (!sides_init(&parts->sides, indices, all, vertex_count))
+		return false;
+	found->edges = sides_count_edges(&parts->sides);
+	if (!repeats_drop(&parts->sides, vertex_count, indices, triangle_count))
+		return false;
+	found->repeated = all - *triangle_count;
+	if (found->repeated == 0)
+		return true;
+	sides_finish(&parts->sides);
+	return sides_init(&parts->sides, indices, *triangle_count, vertex_count);
 }
 
 static void join_neighbours(struct parts *parts)
@@ -214,24 +228,31 @@ static size_t move_open_last(const struct parts *parts, uint32_t *indices)
 	return closed;
 }
 
-bool orientation_repair(struct orientation *found, const float (*positions)[3], size_t vertex_count,
-	uint32_t *indices, size_t triangle_count)
+/* Leaves found->closed_count to the caller. */
+static void orient_parts(struct parts *parts, struct orientation *found,
+	const float (*positions)[3], const uint32_t *indices)
 {
-	struct parts parts;
+	join_neighbours(parts);
+	gather_parts(parts);
+	find_open(parts);
+	for (size_t p = 0; p < parts->part_count; p++) {
+		const struct part *part = &parts->parts[p];
+		if (!has_sides(&indices[3 * (size_t)parts->order[part->first]]))
+			continue;
+		choose_outside(parts, part, positions, indices);
+		count_part(found, parts, part);
+	}
+}
+
+bool orientation_repair(struct orientation *found, const float (*positions)[3], size_t vertex_count,
+	uint32_t *indices, size_t *triangle_count)
+{
+	struct parts parts = {0};
 	*found = (struct orientation){0};
-	bool ok = parts_init(&parts, indices, triangle_count, vertex_count);
+	bool ok = drop_repeated(&parts, found, vertex_count, indices, triangle_count) &&
+		  parts_init(&parts, *triangle_count);
 	if (ok) {
-		found->edges = sides_count_edges(&parts.sides);
-		join_neighbours(&parts);
-		gather_parts(&parts);
-		find_open(&parts);
-		for (size_t p = 0; p < parts.part_count; p++) {
-			const struct part *part = &parts.parts[p];
-			if (!has_sides(&indices[3 * (size_t)parts.order[part->first]]))
-				continue;
-			choose_outside(&parts, part, positions, indices);
-			count_part(found, &parts, part);
-		}
+		orient_parts(&parts, found, positions, indices);
 		turn_triangles(&parts, indices);
 		found->closed_count = move_open_last(&parts, indices);
 	}

@@ -4,9 +4,10 @@
 
 #include "geom/sides.h"
 
-/** What a mesh was like before it was oriented, and what that did. */
+/** What a mesh was like before it was repaired, and what that did. */
 struct orientation {
 	struct edge_counts edges;    /* as they came */
+	size_t repeated;             /* triangles that were dropped */
 	size_t closed_parts;         /* without a boundary */
 	size_t open_parts;           /* with one */
 	size_t non_orientable_parts; /* of the open ones */
@@ -16,7 +17,8 @@ struct orientation {
 
 /**
  * Winds triangles consistently and moves those of open parts behind those of closed ones; else the
- * order stays.
+ * order stays. Before that, triangles that repeat an earlier one are dropped (repeats.h): they cast
+ * no shadow of their own, and hide what continues what.
  *
  * A part is what hangs together over edges with exactly two triangles; where more meet, which of
  * them continue each other cannot be told, and parts end. In a part both triangles of an edge are
@@ -28,10 +30,10 @@ struct orientation {
  * counter-clockwise from outside: it is turned so that its signed volume is positive. An open one,
  * or one without volume, is turned so that most of its triangles stay as they were.
  *
- * positions: [vertex_count][3]; indices: [3 * triangle_count], each < vertex_count, changed in
- * place; triangle_count < 2^31. Takes linear time. False: out of memory.
+ * positions: [vertex_count][3]; indices: [3 * *triangle_count], each < vertex_count;
+ * *triangle_count < 2^31. These two are changed. Takes linear time. False: out of memory.
  */
 bool orientation_repair(struct orientation *found, const float (*positions)[3], size_t vertex_count,
-	uint32_t *indices, size_t triangle_count);
+	uint32_t *indices, size_t *triangle_count);
 
 #endif

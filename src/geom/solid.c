@@ -51,7 +51,7 @@ bool caster_is_solid(const struct caster *caster)
 {
 	const struct edge_counts *edges = &caster->found.edges;
 	if (edges->open > 0 || edges->non_manifold > 0 || edges->inverted > 0 ||
-		caster->found.turned > 0)
+		caster->found.turned > 0 || caster->found.repeated > 0)
 		return false;
 	uint32_t *parents = array_alloc(caster->vertex_count, sizeof(*parents));
 	double *volumes = array_zalloc(caster->vertex_count, sizeof(*volumes));

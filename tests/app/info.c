@@ -62,10 +62,11 @@ static void test_scene(void **state)
 {
 	(void)state;
 	static const char *const lines[] = {"meshes: 3\n", "\nobjects: 3\n", "\nlights: 1\n",
-		"\ntriangles: 36\n", "\ndegenerate triangles: 0\n", "\nwelded vertices: 24\n",
-		"\nedges: 54\n", "\nopen edges: 0\n", "\nnon-manifold edges: 0\n",
-		"\ninverted edges: 0\n", "\nclosed parts: 3\n", "\nopen parts: 0\n",
-		"\nturned triangles: 0\n", "\nbytes per edge: ", "\nbytes per edge with planes: "};
+		"\ntriangles: 36\n", "\nrepeated triangles: 0\n", "\ndegenerate triangles: 0\n",
+		"\nwelded vertices: 24\n", "\nedges: 54\n", "\nopen edges: 0\n",
+		"\nnon-manifold edges: 0\n", "\ninverted edges: 0\n", "\nclosed parts: 3\n",
+		"\nopen parts: 0\n", "\nturned triangles: 0\n",
+		"\nbytes per edge: ", "\nbytes per edge with planes: "};
 	/* A scene needs no driver. */
 	struct outcome outcome = run_program(&(struct run){.arguments = {"info", "builtin:boxes"},
 		.environment = "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null"});

@@ -107,7 +107,7 @@ static struct orientation repair(const char *name, const struct model *model, st
 }
 
 struct expected {
-	size_t closed, open, non_orientable, turned, closed_count;
+	size_t closed, open, non_orientable, turned, closed_count, repeated;
 };
 
 static void check_repair(const char *name, struct model model, const struct expected *expected)
@@ -115,11 +115,12 @@ static void check_repair(const char *name, struct model model, const struct expe
 	struct mesh mesh;
 	struct orientation found = repair(name, &model, &mesh);
 	const struct expected got = {found.closed_parts, found.open_parts,
-		found.non_orientable_parts, found.turned, found.closed_count};
+		found.non_orientable_parts, found.turned, found.closed_count, found.repeated};
 	if (memcmp(&got, expected, sizeof(got)) != 0)
-		fail_msg("%s: %zu closed, %zu open, %zu not orientable, %zu turned, %zu first",
+		fail_msg("%s: %zu closed, %zu open, %zu not orientable, %zu turned, %zu first, %zu "
+			 "dropped",
 			name, got.closed, got.open, got.non_orientable, got.turned,
-			got.closed_count);
+			got.closed_count, got.repeated);
 	mesh_finish(&mesh);
 	model_finish(&model);
 }
@@ -165,6 +166,14 @@ static void finds_parts_and_turns_them(void **state)
 		{"T-junction", t_junction(), {0, 1, 0, 0, 0}},
 		{"doubled square", doubled_square(), {1, 0, 0, 0, 4}},
 		{"doubled square, one turned", first_turned(doubled_square()), {1, 0, 0, 1, 4}},
+		{"doubled cube", model_doubled(false), {1, 0, 0, 0, 12, 12}},
+		{"doubled cube, turned", model_doubled(true), {1, 0, 0, 0, 12, 12}},
+		{"doubled strip", model_joined(model_strip(), model_inverted(model_strip())),
+			{0, 1, 0, 0, 0, 100}},
+		{"cube, three times",
+			model_joined(model_cube(),
+				model_joined(model_inverted(model_cube()), model_cube())),
+			{1, 0, 0, 0, 12, 24}},
 		{"cube and points", cube_with_points(), {1, 0, 0, 0, 24}},
 		{"points", model_scaled(model_cube(), 0), {0, 0, 0, 0, 12}},
 	};
@@ -217,7 +226,8 @@ static void check_turned(const struct caster *caster, uint64_t *state, uint32_t 
 	}
 	struct orientation found;
 	assert_true(orientation_repair(&found, (const float(*)[3])caster->positions,
-		caster->vertex_count, indices, count));
+		caster->vertex_count, indices, &count));
+	assert_int_equal(found.repeated, 0);
 	assert_int_equal(found.turned, turned);
 	assert_int_equal(found.open_parts, 0);
 	assert_int_equal(found.closed_count, count);
@@ -258,12 +268,13 @@ static void check_model(const char *name, const struct model *model)
 	struct mesh mesh;
 	struct orientation found = repair(name, model, &mesh), again;
 	const struct caster *caster = &mesh.caster;
-	size_t size = 3 * caster->triangle_count * sizeof(*caster->indices);
+	size_t left = caster->triangle_count, size = 3 * left * sizeof(*caster->indices);
 	uint32_t *indices = malloc(size);
 	assert_non_null(indices);
 	memcpy(indices, caster->indices, size);
 	assert_true(orientation_repair(&again, (const float(*)[3])caster->positions,
-		caster->vertex_count, indices, caster->triangle_count));
+		caster->vertex_count, indices, &left));
+	assert_int_equal(again.repeated, 0);
 	assert_int_equal(again.turned, 0);
 	assert_int_equal(again.closed_count, found.closed_count);
 	assert_memory_equal(indices, caster->indices, size);
@@ -276,9 +287,9 @@ static void check_model(const char *name, const struct model *model)
 	for (size_t i = 0; i < edge_table_records(&table); i++)
 		assert_true(records[i].neighbour != EDGE_OPEN);
 	print_message("%-22s %6zu closed, %6zu open parts (%zu not orientable), %6zu turned, %6zu "
-		      "of %6zu closed\n",
+		      "dropped, %6zu of %6zu closed\n",
 		name, found.closed_parts, found.open_parts, found.non_orientable_parts,
-		found.turned, found.closed_count, caster->triangle_count);
+		found.turned, found.repeated, found.closed_count, caster->triangle_count);
 	free(records);
 	edge_table_finish(&table);
 	free(indices);
