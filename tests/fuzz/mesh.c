@@ -95,7 +95,8 @@ static void check_mesh(const struct mesh *mesh)
 	for (int axis = 0; axis < 3; axis++)
 		expect(mesh->min[axis] <= mesh->max[axis]);
 	expect(mesh->stats.triangles == mesh->index_count / 3);
-	expect(mesh->stats.degenerate_triangles <= mesh->stats.triangles);
+	expect(mesh->stats.degenerate_triangles + mesh->stats.repeated_triangles <=
+		mesh->stats.triangles);
 }
 
 static uint64_t *find_facing(const struct caster *caster, const float light[4])
@@ -166,6 +167,26 @@ static void check_fins(const struct caster *caster, const struct silhouette_edge
 	fin_scratch_finish(&scratch);
 }
 
+/* Closed parts first, and whichever triangles count on one side, sheets have closed rims. */
+static void check_sheets(const struct caster *caster, const uint64_t *facing)
+{
+	size_t closed = caster->found.closed_count, rules[2] = {0, closed};
+	uint64_t *back = malloc(facing_words(caster) * sizeof(*back));
+	expect(back != NULL && closed <= caster->triangle_count);
+	expect(caster->found.turned <= caster->triangle_count);
+	for (int i = 0; i < 2; i++) {
+		struct sheet_rule rule = {.one_sided = rules[i]};
+		size_t count = sheets_find(caster, &rule, facing, back, NULL, 0);
+		struct silhouette_edge *edges = malloc(count * sizeof(*edges));
+		expect(count <= 2 * edge_table_records(&caster->edges));
+		expect(edges != NULL || count == 0);
+		expect(sheets_find(caster, &rule, facing, back, edges, count) == count);
+		check_loops(caster, edges, count);
+		free(edges);
+	}
+	free(back);
+}
+
 static void check_shadow(
 	const struct caster *caster, const float light[4], const struct fin_params *params)
 {
@@ -175,6 +196,7 @@ static void check_shadow(
 	expect(count <= edge_table_records(&caster->edges) && (edges != NULL || count == 0));
 	expect(silhouette_find(caster, facing, edges, count) == count);
 	check_loops(caster, edges, count);
+	check_sheets(caster, facing);
 	struct fin_params two_sided = *params;
 	two_sided.both_sides = true;
 	two_sided.apron = 4.0f * params->finest;
