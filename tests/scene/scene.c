@@ -292,6 +292,33 @@ static void bounds_enclose_objects_or_casters(void **state)
 	assert_memory_equal(max, ((float[]){3, 1, 4}), sizeof(max));
 }
 
+/* A tetrahedron counts on one side as long as the near plane does not cut its mesh, of which a
+ * triangle is left over. */
+static void closed_parts_count_on_one_side(void **state)
+{
+	struct sm_scene *scene = *state;
+	static const float corners[][3] = {{0.5f, 0.5f, 0.5f}, {0.5f, -0.5f, -0.5f},
+		{-0.5f, 0.5f, -0.5f}, {-0.5f, -0.5f, 0.5f}, {0, 0, 0.7f}, {0.1f, 0, 0.8f},
+		{0, 0.1f, 0.8f}};
+	static const uint32_t faces[] = {4, 5, 6, 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2};
+	const struct sm_mesh_desc desc = {
+		.positions = corners[0], .vertex_count = 7, .indices = faces, .index_count = 15};
+	uint32_t handle;
+	assert_true(sm_scene_add_mesh(scene, &desc, &handle, NULL));
+	const struct mesh *mesh = &scene->meshes[handle];
+	assert_false(mesh->solid);
+
+	mat4 transform = GLM_MAT4_IDENTITY_INIT, to_clip = GLM_MAT4_IDENTITY_INIT;
+	struct sheet_rule rule = mesh_sheet_rule(mesh, transform, to_clip);
+	assert_true(rule.one_sided == 4 && !rule.mirrored);
+	transform[1][1] = -1.0f;
+	rule = mesh_sheet_rule(mesh, transform, to_clip);
+	assert_true(rule.one_sided == 4 && rule.mirrored);
+	to_clip[3][2] = -0.6f;
+	rule = mesh_sheet_rule(mesh, transform, to_clip);
+	assert_true(rule.one_sided == 0 && rule.mirrored);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -306,6 +333,7 @@ int main(void)
 		scene_test(lights_that_are_none_are_refused),
 		scene_test(a_directional_light_has_no_cone),
 		scene_test(bounds_enclose_objects_or_casters),
+		scene_test(closed_parts_count_on_one_side),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
