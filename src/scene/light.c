@@ -297,3 +297,13 @@ void light_frame_bias_limit(const struct light_frame *frame, float size, float l
 	limit[0] = frame->parallel ? most / (frame->far - frame->near) : most * frame->pole;
 	limit[1] = frame->parallel ? 0.0f : -most;
 }
+
+/* R (1/b - 1/r) at distance 1 of a spot; 1/z is (K - d) / (K near) at window depth d. For a
+ * directional light R (r - b). The screen is 2 half_extent wide. Finite, so that a difference of 0
+ * gives 0, also times the texels of a map: a disc of 1e6 before a near plane of 1e-30 is not. */
+float disc_scale(const struct light_frame *frame)
+{
+	float per_depth = frame->parallel ? frame->far - frame->near
+					  : 1.0f / (frame->pole * frame->near); /* near > 0 */
+	return fminf(frame->disc * per_depth / (2.0f * frame->half_extent), 1e30f);
+}

@@ -44,4 +44,8 @@ void light_frame_init(
  * of `size` texels a side: limit[0] + limit[1] d at window depth d. */
 void light_frame_bias_limit(const struct light_frame *frame, float size, float limit[2]);
 
+/** How far apart, window x or y, the ends of a ray from the middle of the light and of one from its
+ *  rim are on the light's screen, for each unit of window depth between them. Finite. */
+float disc_scale(const struct light_frame *frame);
+
 #endif

@@ -15,16 +15,6 @@ void disc_init(struct disc *disc, uint32_t count)
 	}
 }
 
-/* R (1/b - 1/r) at distance 1 of a spot; 1/z is (K - d) / (K near) at window depth d. For a
- * directional light R (r - b). The screen is 2 half_extent wide. Finite, so that a difference of 0
- * gives 0, also times the texels of a map: a disc of 1e6 before a near plane of 1e-30 is not. */
-float disc_scale(const struct light_frame *frame)
-{
-	float per_depth = frame->parallel ? frame->far - frame->near
-					  : 1.0f / (frame->pole * frame->near); /* near > 0 */
-	return fminf(frame->disc * per_depth / (2.0f * frame->half_extent), 1e30f);
-}
-
 struct light_frame disc_frame(const struct light_frame *frame, const float point[2])
 {
 	struct light_frame sheared = *frame;

@@ -17,10 +17,6 @@ struct disc {
 /** count: 1 to DISC_POINTS_MAX */
 void disc_init(struct disc *disc, uint32_t count);
 
-/** How far apart, window x or y, the ends of a ray from the middle of the light and of one from its
- *  rim are on the light's screen, for each unit of window depth between them. Finite. */
-float disc_scale(const struct light_frame *frame);
-
 /** The frame of a point of the light, on the unit disc. Its screen's rectangle on the far plane is
  *  that of the light's middle, and its near and far planes are: a shear of clip space. */
 struct light_frame disc_frame(const struct light_frame *frame, const float point[2]);
