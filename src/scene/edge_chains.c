@@ -5,144 +5,214 @@
 
 #define NONE UINT32_MAX
 
-/* A caster on the light's screen. */
-struct projection {
-	const struct caster *caster;
-	mat4 to_clip;
+/* On the screen, in steps of the raster grid, but between them. */
+struct screen_point {
+	double x, y, depth;
+};
+
+/* A caster whose edges are being followed. */
+struct walk {
+	struct edge_chains *chains;
+	const struct caster_view *view;
+	const struct silhouette_edge *edges;
+	const struct clip_vertex *clipped; /* that the edges are between; NULL: the caster's own */
 	double screen;
 };
 
-/* Rounded to the raster grid. */
-static int32_t screen_steps(double steps)
+static struct screen_point project(const struct walk *walk, uint32_t vertex)
 {
-	return (int32_t)lrint(fmax(-CHAIN_LIMIT, fmin(steps, CHAIN_LIMIT)));
-}
-
-static struct chain_point project(const struct projection *projection, uint32_t vertex)
-{
-	const float *p = projection->caster->positions[vertex];
-	double clip[4];
-	for (int row = 0; row < 4; row++)
-		clip[row] = (double)projection->to_clip[0][row] * p[0] +
-			    (double)projection->to_clip[1][row] * p[1] +
-			    (double)projection->to_clip[2][row] * p[2] +
-			    (double)projection->to_clip[3][row];
+	double position[4];
+	const double *clip = position;
+	if (walk->clipped != NULL)
+		clip = walk->clipped[vertex].position;
+	else
+		clip_position(walk->view->caster, walk->view->to_clip, vertex, position);
 	double scale = 0.5 / fmax(clip[3], DBL_MIN);
-	return (struct chain_point){
-		.x = screen_steps((0.5 + clip[0] * scale) * projection->screen),
-		.y = screen_steps((0.5 + clip[1] * scale) * projection->screen),
-		.depth = (float)fmax(0.0, fmin(0.5 + clip[2] * scale, 1e6)),
+	return (struct screen_point){
+		.x = (0.5 + clip[0] * scale) * walk->screen,
+		.y = (0.5 + clip[1] * scale) * walk->screen,
+		.depth = 0.5 + clip[2] * scale,
 	};
 }
 
-/* Fills chains->edges; returns false when out of memory. */
-static bool find_silhouettes(struct edge_chains *chains, const struct caster *caster,
-	const float light[4], size_t *count)
+static double clamp(double value, double low, double high)
 {
-	if (!array_reserve((void **)&chains->facing, &chains->facing_capacity, facing_words(caster),
-		    sizeof(*chains->facing)))
+	return fmax(low, fmin(value, high));
+}
+
+static bool is_within(const struct screen_point *point)
+{
+	return fabs(point->x) <= CHAIN_LIMIT && fabs(point->y) <= CHAIN_LIMIT;
+}
+
+static bool append(struct edge_chains *chains, const struct screen_point *point, bool ends)
+{
+	if (!array_reserve((void **)&chains->points, &chains->point_capacity, chains->count + 1,
+		    sizeof(*chains->points)))
 		return false;
-	facing_find(caster, light, chains->facing);
-	*count = silhouette_find(caster, chains->facing, chains->edges, chains->edge_capacity);
-	if (*count <= chains->edge_capacity)
-		return true;
-	if (!array_reserve((void **)&chains->edges, &chains->edge_capacity, *count,
-		    sizeof(*chains->edges)))
-		return false;
-	silhouette_find(caster, chains->facing, chains->edges, chains->edge_capacity);
+	chains->points[chains->count++] = (struct chain_point){
+		.x = (int32_t)lrint(clamp(point->x, -CHAIN_LIMIT, CHAIN_LIMIT)),
+		.y = (int32_t)lrint(clamp(point->y, -CHAIN_LIMIT, CHAIN_LIMIT)),
+		.depth = (float)clamp(point->depth, 0.0, CHAIN_DEPTH_MAX),
+		.ends = ends,
+	};
 	return true;
 }
 
-/* Which edges start where. */
-static void link_edges(struct edge_chains *chains, size_t edge_count)
+/* Shares of the way at which an edge crosses the limits' lines, in order. */
+static int crossings(
+	const struct screen_point *from, const struct screen_point *to, double shares[4])
 {
-	for (size_t i = 0; i < edge_count; i++)
-		chains->edge_from[chains->edges[i].a] = NONE;
-	for (size_t i = edge_count; i-- > 0;) {
-		uint32_t *from = &chains->edge_from[chains->edges[i].a];
+	int count = 0;
+	for (int side = 0; side < 4; side++) {
+		double limit = side % 2 ? CHAIN_LIMIT : -CHAIN_LIMIT;
+		double start = side / 2 ? from->y : from->x, end = side / 2 ? to->y : to->x;
+		double share = (limit - start) / (end - start);
+		if (!(share > 0.0 && share < 1.0))
+			continue;
+		int place = count++;
+		for (; place > 0 && shares[place - 1] > share; place--)
+			shares[place] = shares[place - 1];
+		shares[place] = share;
+	}
+	return count;
+}
+
+/* The edge's start and, where it leaves or enters what is within the limits, a point there: what is
+ * outside is then moved onto the limits, which takes it over no point inside. */
+static bool append_edge(
+	struct edge_chains *chains, const struct screen_point *from, const struct screen_point *to)
+{
+	if (!append(chains, from, false))
+		return false;
+	if (is_within(from) && is_within(to))
+		return true;
+	double shares[4];
+	int count = crossings(from, to, shares);
+	for (int i = 0; i < count; i++) {
+		struct screen_point point = {
+			from->x + shares[i] * (to->x - from->x),
+			from->y + shares[i] * (to->y - from->y),
+			from->depth + shares[i] * (to->depth - from->depth),
+		};
+		if (!append(chains, &point, false))
+			return false;
+	}
+	return true;
+}
+
+/* As many edges end at a vertex as start there: whoever follows them gets stuck only where they
+ * came from. */
+static bool follow(const struct walk *walk, uint32_t start)
+{
+	struct edge_chains *chains = walk->chains;
+	struct screen_point first = project(walk, start), point = first;
+	uint32_t vertex = start, edge;
+	while ((edge = chains->edge_from[vertex]) != NONE) {
+		chains->edge_from[vertex] = chains->edge_after[edge];
+		vertex = walk->edges[edge].b;
+		struct screen_point next = vertex == start ? first : project(walk, vertex);
+		if (!append_edge(chains, &point, &next))
+			return false;
+		point = next;
+	}
+	return append(chains, &first, true);
+}
+
+static void link_edges(
+	struct edge_chains *chains, const struct silhouette_edge *edges, size_t count)
+{
+	for (size_t i = 0; i < count; i++)
+		chains->edge_from[edges[i].a] = NONE;
+	for (size_t i = count; i-- > 0;) {
+		uint32_t *from = &chains->edge_from[edges[i].a];
 		chains->edge_after[i] = *from;
 		*from = (uint32_t)i;
 	}
 }
 
-static void append(struct edge_chains *chains, struct chain_point point, bool ends)
+static bool follow_all(const struct walk *walk, size_t edge_count, size_t vertex_count)
 {
-	point.ends = ends;
-	chains->points[chains->count++] = point;
-}
-
-/* As many edges end at a vertex as start there: whoever follows them gets stuck only where they
- * came from. */
-static void follow(struct edge_chains *chains, const struct projection *projection, uint32_t start)
-{
-	struct chain_point first = project(projection, start), point = first;
-	uint32_t vertex = start, edge;
-	while ((edge = chains->edge_from[vertex]) != NONE) {
-		append(chains, point, false);
-		chains->edge_from[vertex] = chains->edge_after[edge];
-		vertex = chains->edges[edge].b;
-		point = project(projection, vertex);
-	}
-	append(chains, first, true);
-}
-
-static bool append_caster(
-	struct edge_chains *chains, const struct projection *projection, size_t edge_count)
-{
-	if (!array_reserve((void **)&chains->edge_from, &chains->from_capacity,
-		    projection->caster->vertex_count, sizeof(*chains->edge_from)) ||
+	struct edge_chains *chains = walk->chains;
+	if (!array_reserve((void **)&chains->edge_from, &chains->from_capacity, vertex_count,
+		    sizeof(*chains->edge_from)) ||
 		!array_reserve((void **)&chains->edge_after, &chains->after_capacity, edge_count,
-			sizeof(*chains->edge_after)) ||
-		!array_reserve((void **)&chains->points, &chains->point_capacity,
-			chains->count + 2 * edge_count, sizeof(*chains->points)))
+			sizeof(*chains->edge_after)))
 		return false;
-	link_edges(chains, edge_count);
+	link_edges(chains, walk->edges, edge_count);
 	for (size_t i = 0; i < edge_count; i++)
-		if (chains->edge_from[chains->edges[i].a] != NONE)
-			follow(chains, projection, chains->edges[i].a);
+		if (chains->edge_from[walk->edges[i].a] != NONE && !follow(walk, walk->edges[i].a))
+			return false;
 	chains->edge_count += edge_count;
 	return true;
 }
 
-/* What is on the left before a mirror is on the right behind it. */
-static void turn_edges(struct silhouette_edge *edges, size_t count)
+/* Fills chains->edges; returns false when out of memory. */
+static bool find_edges(struct edge_chains *chains, const struct caster_view *view, size_t *count)
 {
-	for (size_t i = 0; i < count; i++)
-		edges[i] = (struct silhouette_edge){edges[i].b, edges[i].a};
+	if (!array_reserve((void **)&chains->back, &chains->back_capacity,
+		    facing_words(view->caster), sizeof(*chains->back)))
+		return false;
+	*count = sheets_find(view->caster, &view->rule, view->facing, chains->back, chains->edges,
+		chains->edge_capacity);
+	if (*count <= chains->edge_capacity)
+		return true;
+	if (!array_reserve((void **)&chains->edges, &chains->edge_capacity, *count,
+		    sizeof(*chains->edges)))
+		return false;
+	sheets_find(view->caster, &view->rule, view->facing, chains->back, chains->edges,
+		chains->edge_capacity);
+	return true;
 }
 
-bool edge_chains_find(struct edge_chains *chains, const struct sm_scene *scene,
-	const struct light_frame *frame, uint32_t screen)
+void edge_chains_clear(struct edge_chains *chains)
 {
 	chains->count = 0;
 	chains->edge_count = 0;
-	for (size_t i = 0; i < scene->object_count; i++) {
-		const struct object *object = &scene->objects[i];
-		if (!object->casts)
-			continue;
-		struct projection projection = {
-			.caster = &scene->meshes[object->mesh].caster, .screen = screen};
-		mat4 to_object;
-		vec4 light;
-		size_t edge_count;
-		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform,
-			projection.to_clip);
-		glm_mat4_inv((vec4 *)object->transform, to_object);
-		glm_mat4_mulv(to_object, (float *)frame->origin, light);
-		if (!find_silhouettes(chains, projection.caster, light, &edge_count))
-			return false;
-		if (glm_mat4_det((vec4 *)object->transform) < 0.0f)
-			turn_edges(chains->edges, edge_count);
-		if (!append_caster(chains, &projection, edge_count))
-			return false;
-	}
+}
+
+bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
+	const struct object *object, const struct light_frame *frame, struct caster_view *view)
+{
+	const struct mesh *mesh = &scene->meshes[object->mesh];
+	view->caster = &mesh->caster;
+	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, view->to_clip);
+	view->rule = mesh_sheet_rule(mesh, (vec4 *)object->transform, view->to_clip);
+	view->cut = !mesh_beyond_near(mesh, view->to_clip);
+	if (!array_reserve((void **)&chains->facing, &chains->facing_capacity,
+		    facing_words(view->caster), sizeof(*chains->facing)))
+		return false;
+	mat4 to_object;
+	vec4 light;
+	glm_mat4_inv((vec4 *)object->transform, to_object);
+	glm_mat4_mulv(to_object, (float *)frame->origin, light);
+	facing_find(view->caster, light, chains->facing);
+	view->facing = chains->facing;
 	return true;
+}
+
+bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view, uint32_t screen)
+{
+	size_t edge_count;
+	if (!find_edges(chains, view, &edge_count))
+		return false;
+	struct walk walk = {chains, view, chains->edges, NULL, screen};
+	if (!view->cut)
+		return follow_all(&walk, edge_count, view->caster->vertex_count);
+	if (!edge_clip_near(&chains->clip, view->caster, view->to_clip, view->facing,
+		    view->rule.mirrored, chains->edges, edge_count))
+		return false;
+	walk.edges = chains->clip.edges;
+	walk.clipped = chains->clip.vertices;
+	return follow_all(&walk, chains->clip.edge_count, chains->clip.vertex_count);
 }
 
 void edge_chains_finish(struct edge_chains *chains)
 {
+	edge_clip_finish(&chains->clip);
 	free(chains->points);
 	free(chains->facing);
+	free(chains->back);
 	free(chains->edges);
 	free(chains->edge_from);
 	free(chains->edge_after);
@@ -153,7 +223,9 @@ size_t edge_chains_bytes(const struct edge_chains *chains)
 {
 	return chains->point_capacity * sizeof(*chains->points) +
 	       chains->facing_capacity * sizeof(*chains->facing) +
+	       chains->back_capacity * sizeof(*chains->back) +
 	       chains->edge_capacity * sizeof(*chains->edges) +
 	       chains->from_capacity * sizeof(*chains->edge_from) +
-	       chains->after_capacity * sizeof(*chains->edge_after);
+	       chains->after_capacity * sizeof(*chains->edge_after) +
+	       edge_clip_bytes(&chains->clip);
 }

@@ -2,38 +2,59 @@
 #ifndef SCENE_EDGE_CHAINS_H
 #define SCENE_EDGE_CHAINS_H
 
-#include "geom/silhouette.h"
+#include "geom/sheets.h"
+#include "scene/edge_clip.h"
 #include "scene/light.h"
 
 /** On a light's screen, in steps of the raster grid from the lower left. */
 struct chain_point {
 	int32_t x, y; /* within CHAIN_LIMIT */
-	float depth;  /* window depth, finite */
+	float depth;  /* window depth, in [0, CHAIN_DEPTH_MAX] */
 	bool ends;    /* its chain; else an edge leads to the point after, its sheet on the left */
 };
 
-/** Points farther off are moved there. */
+/** What is farther off is moved there, which changes nothing on the screen. */
 #define CHAIN_LIMIT (1 << 24)
+/** Behind everything on the screen. */
+#define CHAIN_DEPTH_MAX 1e6f
+
+/** A caster as a light sees it. */
+struct caster_view {
+	const struct caster *caster;
+	mat4 to_clip;
+	struct sheet_rule rule;
+	bool cut; /* by the near plane, perhaps; then all triangles count on both sides */
+	const uint64_t *facing; /* of its triangles */
+};
 
 /**
- * The silhouettes of all casters as one light sees them: closed chains, the last point of each
- * being its first. Zero is empty; memory is kept from one search to the next.
+ * The boundaries of the sheets of all casters as one light sees them: closed chains, the last point
+ * of each being its first. Where the near plane cuts a sheet its boundary runs along the cut. Zero
+ * is empty; memory is kept from one search to the next.
  */
 struct edge_chains {
 	struct chain_point *points; /* [count], owned */
 	size_t count;
 	size_t edge_count;
 	/* Working memory; owned */
-	uint64_t *facing;
+	uint64_t *facing, *back;
 	struct silhouette_edge *edges;
-	uint32_t *edge_from;  /* of a caster's vertices */
-	uint32_t *edge_after; /* of edges: the next from the same vertex */
-	size_t point_capacity, facing_capacity, edge_capacity, from_capacity, after_capacity;
+	uint32_t *edge_from;  /* first edge of a vertex */
+	uint32_t *edge_after; /* next edge from the same vertex */
+	struct edge_clip clip;
+	size_t point_capacity, facing_capacity, back_capacity, edge_capacity, from_capacity,
+		after_capacity;
 };
 
-/** screen: steps of the raster grid a side. False: out of memory. */
-bool edge_chains_find(struct edge_chains *chains, const struct sm_scene *scene,
-	const struct light_frame *frame, uint32_t screen);
+void edge_chains_clear(struct edge_chains *chains);
+
+/** Sets view up for an object that casts, until the next call. False: out of memory. */
+bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
+	const struct object *object, const struct light_frame *frame, struct caster_view *view);
+
+/** Appends the chains of a caster that edge_chains_see() set up. screen: steps of the raster grid a
+ *  side. False: out of memory. */
+bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view, uint32_t screen);
 
 void edge_chains_finish(struct edge_chains *chains);
 

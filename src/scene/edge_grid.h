@@ -2,21 +2,7 @@
 #ifndef SCENE_EDGE_GRID_H
 #define SCENE_EDGE_GRID_H
 
-#include "scene/edge_chains.h"
-
-/** Most tiles a side. */
-#define EDGE_GRID_TILES_MAX 128
-
-/** A vertex of a chain of silhouette edges in the list of a tile; as a texture holds it, RGBA32F.
- */
-struct chain_vertex {
-	float x, y;  /* window coordinates of the light's screen, on the raster grid */
-	float depth; /* window depth */
-	float start; /* 0: an edge leads here from the vertex before, its sheet on the left as the
-			light sees it (x right, y up). Else a chain starts here: 1 + a depth that
-			nothing from here to the list's end is before (rounded down): receivers not
-			behind that are done */
-};
+#include "scene/edge_lists.h"
 
 /** What receivers in a tile of the light's screen need; RGBA32UI. */
 struct edge_tile {
@@ -40,8 +26,8 @@ static inline int edge_tile_winding(const struct edge_tile *tile)
 }
 
 struct edge_grid_options {
-	uint32_t tiles;         /* most a side: 32, 64 or 128; fewer where lists would grow too
-				   long */
+	uint32_t tiles;         /* most a side, 32, 64 or 128; half or a quarter of them where all
+				   lists would have more than vertices_max */
 	uint32_t map_size;      /* texels a side of the layered map: margin of the lists */
 	uint32_t subpixel_bits; /* of the rasteriser: the raster grid */
 	size_t vertices_max;    /* of all lists, below 2^24; beyond it the nearest edges win */
@@ -54,17 +40,20 @@ struct edge_grid_options {
  * search to the next.
  */
 struct edge_grid {
-	uint32_t tiles;                /* a side */
-	struct edge_tile *of;          /* [tiles * tiles], row after row from the lower left;
-					  owned */
-	struct chain_vertex *vertices; /* [vertex_count], owned */
+	uint32_t tiles;       /* a side */
+	struct edge_tile *of; /* [tiles * tiles], row after row from the lower left; owned */
+	const struct chain_vertex *vertices; /* [vertex_count], of lists */
 	size_t vertex_count;
-	size_t edge_count; /* of silhouettes */
+	size_t edge_count; /* of the sheets' boundaries */
 	size_t dropped;    /* entries of lists that vertices_max left no room for */
 	float mean_list;   /* edges in a list that has any */
 	/* Working memory; owned */
 	struct edge_chains chains;
-	size_t tile_capacity, vertex_capacity;
+	struct tile_depths depths;
+	struct edge_cover cover;
+	struct edge_lists lists;
+	int32_t *winding;
+	size_t tile_capacity, winding_capacity;
 };
 
 /** Finds the silhouettes of all casters as the light sees them, and lists them. Everything written

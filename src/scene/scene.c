@@ -261,16 +261,20 @@ static bool box_beyond_near(const float min[3], const float max[3], mat4 to_clip
 	return true;
 }
 
+bool mesh_beyond_near(const struct mesh *mesh, mat4 to_clip)
+{
+	return box_beyond_near(mesh->min, mesh->max, to_clip);
+}
+
 bool mesh_hides_back(const struct mesh *mesh, mat4 to_clip)
 {
-	return mesh->solid && box_beyond_near(mesh->min, mesh->max, to_clip);
+	return mesh->solid && mesh_beyond_near(mesh, to_clip);
 }
 
 struct sheet_rule mesh_sheet_rule(const struct mesh *mesh, mat4 transform, mat4 to_clip)
 {
-	bool whole = box_beyond_near(mesh->min, mesh->max, to_clip);
 	return (struct sheet_rule){
-		.one_sided = whole ? mesh->caster.found.closed_count : 0,
+		.one_sided = mesh_beyond_near(mesh, to_clip) ? mesh->caster.found.closed_count : 0,
 		.mirrored = glm_mat4_det(transform) < 0.0f,
 	};
 }

@@ -44,6 +44,9 @@ void object_update_bounds(const struct sm_scene *scene, struct object *object);
  *  box beyond the near plane. */
 bool mesh_hides_back(const struct mesh *mesh, mat4 to_clip);
 
+/** Whether all of the mesh's box is beyond the near plane. */
+bool mesh_beyond_near(const struct mesh *mesh, mat4 to_clip);
+
 /** Which of the caster's triangles count for a light: those of closed parts on one side, unless the
  *  near plane might cut the mesh open. transform: of the object; to_clip: object to the light's
  *  clip space. */

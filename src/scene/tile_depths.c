@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/tile_depths.h"
+#include "base/array.h"
+#include "scene/tile_fill.h"
+#include <stdlib.h>
+
+/* Meshes of up to so many triangles are gone through one by one. */
+#define SINGLE_TRIANGLES_MAX 256
+
+/* What a receiver's place is rounded by, tiles. */
+#define RECEIVER_MARGIN 1e-3f
+
+static void forget_meshes(struct tile_depths *depths)
+{
+	for (size_t i = 0; i < depths->mesh_count; i++) {
+		free(depths->meshes[i].drawn);
+		free(depths->meshes[i].casting);
+	}
+	depths->mesh_count = 0;
+}
+
+/* Meshes are never taken from a scene, nor changed. */
+static bool reserve_meshes(struct tile_depths *depths, const struct sm_scene *scene)
+{
+	if (depths->scene_id != scene->id)
+		forget_meshes(depths);
+	depths->scene_id = scene->id;
+	if (!array_reserve((void **)&depths->meshes, &depths->mesh_capacity, scene->mesh_count,
+		    sizeof(*depths->meshes)))
+		return false;
+	while (depths->mesh_count < scene->mesh_count)
+		depths->meshes[depths->mesh_count++] = (struct mesh_clusters){0};
+	return true;
+}
+
+bool tile_depths_clear(struct tile_depths *depths, const struct sm_scene *scene, uint32_t tiles)
+{
+	size_t count = (size_t)tiles * tiles;
+	if (!array_reserve((void **)&depths->deepest, &depths->deepest_capacity, count,
+		    sizeof(*depths->deepest)) ||
+		!array_reserve((void **)&depths->farthest, &depths->farthest_capacity, count,
+			sizeof(*depths->farthest)) ||
+		!reserve_meshes(depths, scene))
+		return false;
+	depths->tiles = tiles;
+	for (size_t i = 0; i < count; i++) {
+		depths->deepest[i] = -1.0f;
+		depths->farthest[i] = 0.0f;
+	}
+	return true;
+}
+
+/* Triangles of either kind of mesh. */
+struct triangles {
+	const float (*positions)[3];
+	const uint32_t *indices;
+	size_t count;
+};
+
+/* Sets *clusters to the triangles' boxes unless it has them. */
+static bool have_clusters(struct cluster **clusters, const struct triangles *triangles)
+{
+	if (*clusters != NULL)
+		return true;
+	*clusters = array_alloc(clusters_count(triangles->count), sizeof(**clusters));
+	if (*clusters == NULL)
+		return false;
+	clusters_find(triangles->positions, triangles->indices, triangles->count, *clusters);
+	return true;
+}
+
+static void fill_triangle(
+	const struct tile_fill *fill, const struct triangles *triangles, mat4 to_clip, size_t t)
+{
+	vec4 corners[3];
+	for (int k = 0; k < 3; k++) {
+		const float *p = triangles->positions[triangles->indices[3 * t + (size_t)k]];
+		glm_mat4_mulv(to_clip, (vec4){p[0], p[1], p[2], 1.0f}, corners[k]);
+	}
+	tile_fill_triangle(fill, corners);
+}
+
+/* Whether triangle t of a caster counts as a sheet. */
+static bool is_sheet(const struct caster_view *view, size_t t)
+{
+	return t >= view->rule.one_sided || (view->facing[t / EDGE_BLOCK] >> t % EDGE_BLOCK & 1);
+}
+
+static bool has_sheets(const struct caster_view *view, size_t first)
+{
+	size_t words = facing_words(view->caster), w = first / EDGE_BLOCK;
+	size_t end = first + CLUSTER_TRIANGLES;
+	return end > view->rule.one_sided || view->facing[w] != 0 ||
+	       (w + 1 < words && view->facing[w + 1] != 0);
+}
+
+bool tile_depths_add_receiver(struct tile_depths *depths, const struct sm_scene *scene,
+	const struct object *object, const struct light_frame *frame)
+{
+	const struct mesh *mesh = &scene->meshes[object->mesh];
+	struct triangles triangles = {
+		(const float(*)[3])mesh->positions, mesh->indices, mesh->index_count / 3};
+	struct tile_fill fill = {depths->deepest, depths->tiles, RECEIVER_MARGIN};
+	struct cluster **clusters = &depths->meshes[object->mesh].drawn;
+	mat4 to_clip;
+	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
+	if (triangles.count <= SINGLE_TRIANGLES_MAX) {
+		for (size_t t = 0; t < triangles.count; t++)
+			fill_triangle(&fill, &triangles, to_clip, t);
+		return true;
+	}
+	if (!have_clusters(clusters, &triangles))
+		return false;
+	for (size_t i = 0; i < clusters_count(triangles.count); i++)
+		tile_fill_box(&fill, to_clip, (*clusters)[i].min, (*clusters)[i].max);
+	return true;
+}
+
+bool tile_depths_add_caster(struct tile_depths *depths, const struct sm_scene *scene,
+	const struct object *object, const struct caster_view *view, float margin)
+{
+	const struct caster *caster = &scene->meshes[object->mesh].caster;
+	struct triangles triangles = {
+		(const float(*)[3])caster->positions, caster->indices, caster->triangle_count};
+	struct tile_fill fill = {depths->farthest, depths->tiles, margin};
+	struct cluster **clusters = &depths->meshes[object->mesh].casting;
+	vec4 *to_clip = (vec4 *)view->to_clip;
+	if (triangles.count <= SINGLE_TRIANGLES_MAX) {
+		for (size_t t = 0; t < triangles.count; t++)
+			if (is_sheet(view, t))
+				fill_triangle(&fill, &triangles, to_clip, t);
+		return true;
+	}
+	if (!have_clusters(clusters, &triangles))
+		return false;
+	for (size_t i = 0; i < clusters_count(triangles.count); i++)
+		if (has_sheets(view, i * CLUSTER_TRIANGLES))
+			tile_fill_box(&fill, to_clip, (*clusters)[i].min, (*clusters)[i].max);
+	return true;
+}
+
+static void halve(float *values, uint32_t tiles)
+{
+	uint32_t half = tiles / 2;
+	for (uint32_t y = 0; y < half; y++) {
+		for (uint32_t x = 0; x < half; x++) {
+			const float *low = &values[(size_t)2 * y * tiles + 2 * x];
+			const float *high = low + tiles;
+			/* Written no later than it is read. */
+			values[(size_t)y * half + x] =
+				fmaxf(fmaxf(low[0], low[1]), fmaxf(high[0], high[1]));
+		}
+	}
+}
+
+void tile_depths_halve(struct tile_depths *depths)
+{
+	halve(depths->deepest, depths->tiles);
+	halve(depths->farthest, depths->tiles);
+	depths->tiles /= 2;
+}
+
+void tile_depths_finish(struct tile_depths *depths)
+{
+	forget_meshes(depths);
+	free(depths->deepest);
+	free(depths->farthest);
+	free(depths->meshes);
+	*depths = (struct tile_depths){0};
+}
+
+size_t tile_depths_bytes(const struct tile_depths *depths)
+{
+	return (depths->deepest_capacity + depths->farthest_capacity) * sizeof(float) +
+	       depths->mesh_capacity * sizeof(*depths->meshes);
+}

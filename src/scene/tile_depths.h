@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SCENE_TILE_DEPTHS_H
+#define SCENE_TILE_DEPTHS_H
+
+#include "geom/clusters.h"
+#include "scene/edge_chains.h"
+
+/** Boxes of a mesh's triangles; each may be NULL until it is needed. */
+struct mesh_clusters {
+	struct cluster *drawn;   /* of the mesh's triangles, owned */
+	struct cluster *casting; /* of the caster's, owned */
+};
+
+/**
+ * How deep what receives and what casts lies at most, per tile of a light's screen: coarse, never
+ * less. Zero is empty; memory is kept from one search to the next, and so are the boxes of a
+ * scene's meshes.
+ */
+struct tile_depths {
+	uint32_t tiles;  /* a side */
+	float *deepest;  /* of receivers: [tiles * tiles], up to 1; -1: none; owned */
+	float *farthest; /* of casters, 0: none; owned */
+	/* Working memory; owned */
+	struct mesh_clusters *meshes;
+	size_t mesh_count; /* with an entry there, of the scene of this id */
+	uint64_t scene_id;
+	size_t deepest_capacity, farthest_capacity, mesh_capacity;
+};
+
+/** Nothing receives or casts, on so many tiles a side; any scene may follow. False: out of memory.
+ */
+bool tile_depths_clear(struct tile_depths *depths, const struct sm_scene *scene, uint32_t tiles);
+
+/** An object that receives. False: out of memory. */
+bool tile_depths_add_receiver(struct tile_depths *depths, const struct sm_scene *scene,
+	const struct object *object, const struct light_frame *frame);
+
+/** The sheets of an object that casts, also `margin` tiles beyond where they are. False: out of
+ *  memory. */
+bool tile_depths_add_caster(struct tile_depths *depths, const struct sm_scene *scene,
+	const struct object *object, const struct caster_view *view, float margin);
+
+/** To half as many tiles a side: each has the most of the four it is made of. */
+void tile_depths_halve(struct tile_depths *depths);
+
+void tile_depths_finish(struct tile_depths *depths);
+
+/** Of memory. */
+size_t tile_depths_bytes(const struct tile_depths *depths);
+
+#endif

@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/tile_fill.h"
+
+/* Of a triangle cut by a plane. */
+#define CORNERS_MAX 4
+
+/* Tiles and window depth. */
+struct corner {
+	float x, y, depth;
+};
+
+/* Depths of a polygon's plane: at the origin, and what a tile to the right and one up add. */
+struct plane {
+	float origin, dx, dy;
+};
+
+static struct corner corner_of(const struct tile_fill *fill, const float clip[4])
+{
+	float scale = 0.5f / clip[3], tiles = (float)fill->tiles;
+	return (struct corner){(0.5f + clip[0] * scale) * tiles, (0.5f + clip[1] * scale) * tiles,
+		0.5f + clip[2] * scale};
+}
+
+/* The tile that a coordinate is in, or the nearest: from -1 to tiles, that of no number -1. */
+static int tile_at(const struct tile_fill *fill, float coordinate)
+{
+	return (int)floorf(fmaxf(-1.0f, fminf(coordinate, (float)fill->tiles)));
+}
+
+static void raise_to(float *value, float depth)
+{
+	if (*value < depth)
+		*value = depth;
+}
+
+/* Tiles [first, last] of a row. */
+static void fill_row(const struct tile_fill *fill, int row, int first, int last, float depth)
+{
+	float *values = &fill->values[(size_t)row * fill->tiles];
+	for (int x = first; x <= last; x++)
+		raise_to(&values[x], depth);
+}
+
+static int largest(int a, int b)
+{
+	return a > b ? a : b;
+}
+
+static int smallest(int a, int b)
+{
+	return a < b ? a : b;
+}
+
+/* The range of tiles that touch [low, high] grown by the margin; false where it is empty. */
+static bool tile_range(const struct tile_fill *fill, float low, float high, int *first, int *last)
+{
+	*first = largest(tile_at(fill, low - fill->margin), 0);
+	*last = smallest(tile_at(fill, high + fill->margin), (int)fill->tiles - 1);
+	return *first <= *last;
+}
+
+static void fill_all(const struct tile_fill *fill, float depth)
+{
+	for (int row = 0; row < (int)fill->tiles; row++)
+		fill_row(fill, row, 0, (int)fill->tiles - 1, depth);
+}
+
+void tile_fill_box(
+	const struct tile_fill *fill, mat4 to_clip, const float min[3], const float max[3])
+{
+	struct corner low = {INFINITY, INFINITY, 0.0f}, high = {-INFINITY, -INFINITY, 0.0f};
+	for (int i = 0; i < 8; i++) {
+		vec4 clip, p = {i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1],
+				   i & 4 ? max[2] : min[2], 1.0f};
+		glm_mat4_mulv(to_clip, p, clip);
+		if (!(clip[2] >= -clip[3]) || !(clip[3] > 0.0f)) {
+			fill_all(fill, 1.0f);
+			return;
+		}
+		struct corner corner = corner_of(fill, clip);
+		low.x = fminf(low.x, corner.x);
+		low.y = fminf(low.y, corner.y);
+		high.x = fmaxf(high.x, corner.x);
+		high.y = fmaxf(high.y, corner.y);
+		high.depth = fmaxf(high.depth, corner.depth);
+	}
+	int left, right, bottom, top;
+	if (!tile_range(fill, low.x, high.x, &left, &right) ||
+		!tile_range(fill, low.y, high.y, &bottom, &top))
+		return;
+	for (int row = bottom; row <= top; row++)
+		fill_row(fill, row, left, right, fminf(high.depth, 1.0f));
+}
+
+/* What of a triangle is beyond the near plane (Sutherland & Hodgman 1974). */
+static int clip_near(
+	const struct tile_fill *fill, vec4 corners[3], struct corner clipped[CORNERS_MAX])
+{
+	int count = 0;
+	for (int k = 0; k < 3; k++) {
+		float *p = corners[k], *q = corners[(k + 1) % 3];
+		float inside_p = p[2] + p[3], inside_q = q[2] + q[3];
+		if (inside_p >= 0.0f)
+			clipped[count++] = corner_of(fill, p);
+		if ((inside_p >= 0.0f) == (inside_q >= 0.0f))
+			continue;
+		vec4 cut;
+		glm_vec4_lerp(p, q, inside_p / (inside_p - inside_q), cut);
+		clipped[count++] = corner_of(fill, cut);
+	}
+	return count;
+}
+
+/* Without a plane where the first three corners hardly span one. */
+static bool find_plane(const struct corner *corners, struct plane *plane)
+{
+	double ux = (double)corners[1].x - corners[0].x, uy = (double)corners[1].y - corners[0].y;
+	double vx = (double)corners[2].x - corners[0].x, vy = (double)corners[2].y - corners[0].y;
+	double ud = (double)corners[1].depth - corners[0].depth;
+	double vd = (double)corners[2].depth - corners[0].depth;
+	double area = ux * vy - uy * vx;
+	if (!(fabs(area) > 1e-6 * (fabs(ux * vy) + fabs(uy * vx))))
+		return false;
+	double dx = (ud * vy - vd * uy) / area, dy = (ux * vd - vx * ud) / area;
+	*plane = (struct plane){(float)(corners[0].depth - dx * corners[0].x - dy * corners[0].y),
+		(float)dx, (float)dy};
+	return true;
+}
+
+/* Widens [*low, *high] to the x of the part of a side that is between y = bottom and y = top. */
+static void widen_by_side(const struct corner *a, const struct corner *b, float bottom, float top,
+	float *low, float *high)
+{
+	const struct corner *lower = a->y < b->y ? a : b, *upper = lower == a ? b : a;
+	if (lower->y > top || upper->y < bottom)
+		return;
+	float rise = upper->y - lower->y, run = upper->x - lower->x;
+	float from = lower->x, to = upper->x;
+	if (lower->y < bottom)
+		from += run * ((bottom - lower->y) / rise);
+	if (upper->y > top)
+		to = lower->x + run * ((top - lower->y) / rise);
+	*low = fminf(*low, fminf(from, to));
+	*high = fmaxf(*high, fmaxf(from, to));
+}
+
+static void fill_polygon_row(const struct tile_fill *fill, const struct corner *corners, int count,
+	int row, const struct plane *plane, float deepest)
+{
+	float low = INFINITY, high = -INFINITY;
+	float bottom = (float)row - fill->margin, top = (float)(row + 1) + fill->margin;
+	for (int k = 0; k < count; k++)
+		widen_by_side(&corners[k], &corners[(k + 1) % count], bottom, top, &low, &high);
+	int first, last;
+	if (!tile_range(fill, low, high, &first, &last))
+		return;
+	if (plane == NULL) {
+		fill_row(fill, row, first, last, deepest);
+		return;
+	}
+	/* At the deepest corner of each tile. */
+	float slack = (0.5f + fill->margin) * (fabsf(plane->dx) + fabsf(plane->dy)) +
+		      1e-6f * (1.0f + fabsf(plane->origin));
+	float depth = plane->origin + plane->dy * ((float)row + 0.5f) + slack;
+	float *values = &fill->values[(size_t)row * fill->tiles];
+	for (int x = first; x <= last; x++)
+		raise_to(&values[x], fminf(deepest, depth + plane->dx * ((float)x + 0.5f)));
+}
+
+void tile_fill_triangle(const struct tile_fill *fill, vec4 corners[3])
+{
+	struct corner clipped[CORNERS_MAX];
+	int count = clip_near(fill, corners, clipped);
+	if (count == 0)
+		return;
+	float low = INFINITY, high = -INFINITY, deepest = 0.0f;
+	for (int k = 0; k < count; k++) {
+		low = fminf(low, clipped[k].y);
+		high = fmaxf(high, clipped[k].y);
+		deepest = fmaxf(deepest, clipped[k].depth);
+	}
+	deepest = fminf(deepest, 1.0f);
+	struct plane plane;
+	bool has_plane = find_plane(clipped, &plane);
+	int bottom, top;
+	if (!tile_range(fill, low, high, &bottom, &top))
+		return;
+	for (int row = bottom; row <= top; row++)
+		fill_polygon_row(fill, clipped, count, row, has_plane ? &plane : NULL, deepest);
+}

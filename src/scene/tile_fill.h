@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SCENE_TILE_FILL_H
+#define SCENE_TILE_FILL_H
+
+#include <cglm/cglm.h>
+
+/**
+ * Raises the values of tiles of a light's screen to the window depths of what lies over them, or
+ * more, up to 1: deeper is nothing on the screen. What is before the near plane is left out.
+ */
+struct tile_fill {
+	float *values; /* [tiles * tiles], row after row from the lower left; not owned */
+	uint32_t tiles;
+	float margin; /* tiles that all is grown by */
+};
+
+/** corners: clip space. */
+void tile_fill_triangle(const struct tile_fill *fill, vec4 corners[3]);
+
+/** A box of object space. */
+void tile_fill_box(
+	const struct tile_fill *fill, mat4 to_clip, const float min[3], const float max[3]);
+
+#endif
