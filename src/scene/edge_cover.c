@@ -16,24 +16,78 @@
 /* A receiver as near to the light's plane as to see the disc from its edge gets no more. */
 #define FACING_MIN 0.25f
 
+/* fmaxf() and fminf() are calls, for their handling of numbers that are none. */
+static inline float larger(float a, float b)
+{
+	return a > b ? a : b;
+}
+
+static inline float smaller(float a, float b)
+{
+	return a < b ? a : b;
+}
+
+/* The light's frame as reaches depend on it. */
+struct spread {
+	float scale; /* disc_scale(), tiles */
+	float slope; /* of the ray at the screen's rim, 0 for a directional light */
+	float size;  /* of a tile, of half a screen */
+	float pole;
+};
+
+static struct spread spread_of(const struct light_frame *frame, uint32_t tiles)
+{
+	return (struct spread){
+		/* Finite also times a depth. */
+		.scale = smaller(disc_scale(frame) * (float)tiles, 1e6f),
+		.slope = frame->parallel ? 0.0f : frame->half_extent,
+		.size = 2.0f / (float)tiles,
+		.pole = frame->pole,
+	};
+}
+
+/* Of the part of a tile that is farthest from the light's axis: slope of the ray along x or y. */
+static inline float slope_at(const struct spread *spread, uint32_t tile)
+{
+	return spread->slope *
+	       (fabsf(((float)tile + 0.5f) * spread->size - 1.0f) + 0.5f * spread->size);
+}
+
 /* Tiles per unit of depth between an edge and a receiver at p of the screen, as far as a penumbra
  * reaches. It spreads by disc_scale(), and away from the axis of a spot, whose disc faces the
- * receiver, farther: sideways by the slant of the ray, and for that the disc's far rim is behind
- * its middle. With e the receiver's ray at distance 1:
+ * receiver, farther: by the slant of the ray, and as the disc's far rim is behind its middle. With
+ * e the receiver's ray at distance 1, of slope2 = e^2:
  *	|x - p| <= scale sqrt(1 + e^2) (d_r - d_x + 2 half_extent |e| (K - d_r) / (1 + e^2) |x - p|)
  */
-static float spread_at(const struct light_frame *frame, float scale, uint32_t tiles, uint32_t x,
-	uint32_t y, float deepest)
+static inline float spread_at(const struct spread *spread, float slope2, float deepest)
 {
-	if (frame->parallel)
-		return scale;
-	float half = frame->half_extent, size = 2.0f / (float)tiles;
-	float ex = half * (fabsf(((float)x + 0.5f) * size - 1.0f) + 0.5f * size);
-	float ey = half * (fabsf(((float)y + 0.5f) * size - 1.0f) + 0.5f * size);
-	float e2 = ex * ex + ey * ey, slanted = scale * sqrtf(1.0f + e2);
-	float turned = slanted / (float)tiles * 2.0f * half * sqrtf(e2) / (1.0f + e2) *
-		       fmaxf(frame->pole - deepest, 0.0f);
-	return slanted / fmaxf(1.0f - turned, FACING_MIN);
+	float slanted = spread->scale * sqrtf(1.0f + slope2);
+	float turned = slanted * spread->size * spread->slope * sqrtf(slope2) / (1.0f + slope2) *
+		       larger(spread->pole - deepest, 0.0f);
+	return slanted / larger(1.0f - turned, FACING_MIN);
+}
+
+/* A row of tiles whose receivers are at most so deep. */
+static void init_row(struct edge_cover *cover, const struct spread *spread, uint32_t row,
+	const float *restrict deepest)
+{
+	size_t start = (size_t)row * cover->tiles;
+	float *restrict margin = &cover->margin[start], *restrict base = &cover->base[start];
+	float *restrict rate = &cover->rate[start];
+	float slope_y = slope_at(spread, row), widest = cover->widest;
+	float rate_max = cover->rate_max, deepest_max = cover->deepest_max;
+	for (uint32_t x = 0; x < cover->tiles; x++) {
+		float slope_x = slope_at(spread, x), depth = deepest[x];
+		float reach = spread_at(
+			spread, slope_x * slope_x + slope_y * slope_y, larger(depth, 0.0f));
+		margin[x] = depth < 0.0f ? -1.0f : widest;
+		base[x] = depth < 0.0f ? -1.0f : reach * depth + ROUNDING;
+		rate[x] = reach;
+		rate_max = larger(rate_max, reach);
+		deepest_max = larger(deepest_max, depth);
+	}
+	cover->rate_max = rate_max;
+	cover->deepest_max = deepest_max;
 }
 
 bool edge_cover_init(struct edge_cover *cover, const struct tile_depths *depths,
@@ -48,23 +102,14 @@ bool edge_cover_init(struct edge_cover *cover, const struct tile_depths *depths,
 		!array_reserve((void **)&cover->rate, &cover->rate_capacity, count, sizeof(float)))
 		return false;
 	float per_texel = (float)tiles / (float)map_size;
-	/* Finite also times a depth. */
-	float scale = fminf(disc_scale(frame) * (float)tiles, 1e6f);
 	cover->tiles = tiles;
 	cover->per_step = per_texel / (float)(1u << subpixel_bits);
 	cover->widest = MARGIN_TEXELS * per_texel + ROUNDING;
 	cover->rate_max = 0.0f;
 	cover->deepest_max = 0.0f;
-	for (size_t i = 0; i < count; i++) {
-		float deepest = depths->deepest[i];
-		float spread = spread_at(frame, scale, tiles, (uint32_t)(i % tiles),
-			(uint32_t)(i / tiles), fmaxf(deepest, 0.0f));
-		cover->margin[i] = deepest < 0.0f ? -1.0f : cover->widest;
-		cover->base[i] = deepest < 0.0f ? -1.0f : spread * deepest + ROUNDING;
-		cover->rate[i] = spread;
-		cover->rate_max = fmaxf(cover->rate_max, spread);
-		cover->deepest_max = fmaxf(cover->deepest_max, deepest);
-	}
+	struct spread spread = spread_of(frame, tiles);
+	for (uint32_t row = 0; row < tiles; row++)
+		init_row(cover, &spread, row, &depths->deepest[(size_t)row * tiles]);
 	return true;
 }
 
@@ -73,12 +118,13 @@ struct piece {
 	float min[2], max[2];
 	float depth; /* the nearest */
 	float normal[2], offset;
+	float half;  /* of a tile's box, along the normal */
 	float reach; /* at most */
 };
 
 static int clamp_tile(const struct edge_cover *cover, float coordinate)
 {
-	return (int)floorf(fmaxf(0.0f, fminf(coordinate, (float)cover->tiles)));
+	return (int)larger(0.0f, smaller(coordinate, (float)cover->tiles));
 }
 
 /* Narrows [*left, *right] to where a row comes as near to the piece's line as it reaches. */
@@ -89,34 +135,65 @@ static void narrow(const struct piece *piece, int row, float *left, float *right
 		return;
 	float middle = (piece->offset - ny * ((float)row + 0.5f)) / nx;
 	float around = (piece->reach + 0.5f * fabsf(ny)) / fabsf(nx) + ROUNDING;
-	*left = fmaxf(*left, middle - around);
-	*right = fminf(*right, middle + around);
+	*left = larger(*left, middle - around);
+	*right = smaller(*right, middle + around);
 }
 
-/* Marks the tiles of a row that the piece concerns: those whose box is within reach of its line and
- * of its box. */
+/* Tiles that are tested at a time, as the vectors of gcc and clang: neither makes them of a loop
+ * with a choice in it. */
+#define TESTED 4
+typedef float float4 __attribute__((vector_size(16)));
+typedef int32_t int4 __attribute__((vector_size(16))); /* of comparisons: 0 or -1 */
+
+static inline float4 load4(const float *values)
+{
+	float4 loaded;
+	memcpy(&loaded, values, sizeof(loaded));
+	return loaded;
+}
+
+static inline float4 larger4(float4 a, float4 b)
+{
+	int4 is_a = a > b;
+	return (float4)((is_a & (int4)a) | (~is_a & (int4)b));
+}
+
+/* Which of the tiles [x, x + TESTED) of a row the piece concerns, a bit each: those whose box is
+ * within reach of its line and of its box. at_zero: of a tile 0's centre from the line; above:
+ * square of the row's distance from the box. */
+static inline uint32_t test_tiles(const struct edge_cover *cover, const struct piece *piece,
+	size_t row_start, int x, float at_zero, float above)
+{
+	size_t first = row_start + (size_t)x;
+	float4 at = (float)x + (float4){0.0f, 1.0f, 2.0f, 3.0f};
+	float4 penumbra = load4(&cover->base[first]) - load4(&cover->rate[first]) * piece->depth;
+	float4 reach = larger4(load4(&cover->margin[first]), penumbra);
+	float4 center = at_zero + piece->normal[0] * at;
+	float4 line = larger4(center, -center) - piece->half;
+	float4 aside = larger4(piece->min[0] - 1.0f - at, at - piece->max[0]);
+	float4 dx = larger4(aside, (float4){0.0f});
+	/* A reach below 0 is within reach of no line. */
+	int4 near = (line <= reach) & (dx * dx + above <= reach * reach) & (int4){1, 2, 4, 8};
+	uint64_t halves[2];
+	memcpy(halves, &near, sizeof(halves));
+	halves[0] |= halves[1];
+	return (uint32_t)(halves[0] | halves[0] >> 32);
+}
+
+/* Marks the tiles of a row that the piece concerns. */
 static void cover_row(struct edge_cover *cover, const struct piece *piece, int row)
 {
 	float left = piece->min[0] - piece->reach, right = piece->max[0] + piece->reach;
 	narrow(piece, row, &left, &right);
-	int first = clamp_tile(cover, left), end = clamp_tile(cover, right + 1.0f);
+	int first = clamp_tile(cover, left) & -TESTED, end = clamp_tile(cover, right + 1.0f);
 	size_t start = (size_t)row * cover->tiles;
-	const float *margin = &cover->margin[start], *base = &cover->base[start];
-	const float *rate = &cover->rate[start];
-	float nx = piece->normal[0], ny = piece->normal[1];
-	float half = 0.5f * (fabsf(nx) + fabsf(ny));
-	float at_zero = ny * ((float)row + 0.5f) + 0.5f * nx - piece->offset;
-	float dy = fmaxf(fmaxf(piece->min[1] - (float)(row + 1), (float)row - piece->max[1]), 0.0f);
-	uint64_t *bits = cover->rows[row];
-	for (int x = first; x < end; x++) {
-		float at = (float)x;
-		float reach = fmaxf(margin[x], base[x] - rate[x] * piece->depth);
-		float line = fabsf(at_zero + nx * at) - half;
-		float dx = fmaxf(fmaxf(piece->min[0] - (at + 1.0f), at - piece->max[0]), 0.0f);
-		bool near =
-			(line <= reach) & (dx * dx + dy * dy <= reach * reach) & (reach >= 0.0f);
-		bits[x / 64] |= (uint64_t)near << x % 64;
-	}
+	float at_zero =
+		piece->normal[1] * ((float)row + 0.5f) + 0.5f * piece->normal[0] - piece->offset;
+	float dy =
+		larger(larger(piece->min[1] - (float)(row + 1), (float)row - piece->max[1]), 0.0f);
+	for (int x = first; x < end; x += TESTED)
+		cover->rows[row][x / 64] |=
+			(uint64_t)test_tiles(cover, piece, start, x, at_zero, dy * dy) << x % 64;
 }
 
 /* Widens [*bottom, *top) to the rows it has marked. */
@@ -152,12 +229,12 @@ static size_t take_marks(struct edge_cover *cover, int bottom, int top, uint16_t
 /* From a to b: x, y in tiles, and depth. */
 static struct piece piece_of(const struct edge_cover *cover, const float a[3], const float b[3])
 {
-	struct piece piece = {.depth = fminf(a[2], b[2])};
+	struct piece piece = {.depth = smaller(a[2], b[2])};
 	for (int axis = 0; axis < 2; axis++) {
-		piece.min[axis] = fminf(a[axis], b[axis]);
-		piece.max[axis] = fmaxf(a[axis], b[axis]);
+		piece.min[axis] = smaller(a[axis], b[axis]);
+		piece.max[axis] = larger(a[axis], b[axis]);
 	}
-	piece.reach = fmaxf(
+	piece.reach = larger(
 		cover->widest, cover->rate_max * (cover->deepest_max - piece.depth) + ROUNDING);
 	/* In double: ends may be far off the screen. */
 	double run = (double)b[0] - a[0], rise = (double)b[1] - a[1];
@@ -168,6 +245,7 @@ static struct piece piece_of(const struct edge_cover *cover, const float a[3], c
 	piece.normal[0] = (float)(-rise / length);
 	piece.normal[1] = (float)(run / length);
 	piece.offset = (float)((run * a[1] - rise * a[0]) / length);
+	piece.half = 0.5f * (fabsf(piece.normal[0]) + fabsf(piece.normal[1]));
 	return piece;
 }
 
@@ -178,7 +256,7 @@ size_t edge_cover_find(struct edge_cover *cover, const struct chain_point *a,
 	float to[3] = {(float)b->x * cover->per_step, (float)b->y * cover->per_step, b->depth};
 	/* A reach that changes by less than a tile is one. */
 	float change = cover->rate_max * fabsf(to[2] - from[2]);
-	int pieces = (int)fminf(1.0f + change, PIECES_MAX);
+	int pieces = (int)smaller(1.0f + change, PIECES_MAX);
 	int bottom = (int)cover->tiles, top = 0;
 	float start[3], end[3];
 	memcpy(start, from, sizeof(start));

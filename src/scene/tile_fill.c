@@ -4,6 +4,17 @@
 /* Of a triangle cut by a plane. */
 #define CORNERS_MAX 4
 
+/* fmaxf() and fminf() are calls, for their handling of numbers that are none. */
+static inline float larger(float a, float b)
+{
+	return a > b ? a : b;
+}
+
+static inline float smaller(float a, float b)
+{
+	return a < b ? a : b;
+}
+
 /* Tiles and window depth. */
 struct corner {
 	float x, y, depth;
@@ -24,7 +35,7 @@ static struct corner corner_of(const struct tile_fill *fill, const float clip[4]
 /* The tile that a coordinate is in, or the nearest: from -1 to tiles, that of no number -1. */
 static int tile_at(const struct tile_fill *fill, float coordinate)
 {
-	return (int)floorf(fmaxf(-1.0f, fminf(coordinate, (float)fill->tiles)));
+	return (int)floorf(larger(-1.0f, smaller(coordinate, (float)fill->tiles)));
 }
 
 static void raise_to(float *value, float depth)
@@ -78,18 +89,18 @@ void tile_fill_box(
 			return;
 		}
 		struct corner corner = corner_of(fill, clip);
-		low.x = fminf(low.x, corner.x);
-		low.y = fminf(low.y, corner.y);
-		high.x = fmaxf(high.x, corner.x);
-		high.y = fmaxf(high.y, corner.y);
-		high.depth = fmaxf(high.depth, corner.depth);
+		low.x = smaller(low.x, corner.x);
+		low.y = smaller(low.y, corner.y);
+		high.x = larger(high.x, corner.x);
+		high.y = larger(high.y, corner.y);
+		high.depth = larger(high.depth, corner.depth);
 	}
 	int left, right, bottom, top;
 	if (!tile_range(fill, low.x, high.x, &left, &right) ||
 		!tile_range(fill, low.y, high.y, &bottom, &top))
 		return;
 	for (int row = bottom; row <= top; row++)
-		fill_row(fill, row, left, right, fminf(high.depth, 1.0f));
+		fill_row(fill, row, left, right, smaller(high.depth, 1.0f));
 }
 
 /* What of a triangle is beyond the near plane (Sutherland & Hodgman 1974). */
@@ -140,8 +151,8 @@ static void widen_by_side(const struct corner *a, const struct corner *b, float 
 		from += run * ((bottom - lower->y) / rise);
 	if (upper->y > top)
 		to = lower->x + run * ((top - lower->y) / rise);
-	*low = fminf(*low, fminf(from, to));
-	*high = fmaxf(*high, fmaxf(from, to));
+	*low = smaller(*low, smaller(from, to));
+	*high = larger(*high, larger(from, to));
 }
 
 static void fill_polygon_row(const struct tile_fill *fill, const struct corner *corners, int count,
@@ -164,7 +175,7 @@ static void fill_polygon_row(const struct tile_fill *fill, const struct corner *
 	float depth = plane->origin + plane->dy * ((float)row + 0.5f) + slack;
 	float *values = &fill->values[(size_t)row * fill->tiles];
 	for (int x = first; x <= last; x++)
-		raise_to(&values[x], fminf(deepest, depth + plane->dx * ((float)x + 0.5f)));
+		raise_to(&values[x], smaller(deepest, depth + plane->dx * ((float)x + 0.5f)));
 }
 
 void tile_fill_triangle(const struct tile_fill *fill, vec4 corners[3])
@@ -175,11 +186,11 @@ void tile_fill_triangle(const struct tile_fill *fill, vec4 corners[3])
 		return;
 	float low = INFINITY, high = -INFINITY, deepest = 0.0f;
 	for (int k = 0; k < count; k++) {
-		low = fminf(low, clipped[k].y);
-		high = fmaxf(high, clipped[k].y);
-		deepest = fmaxf(deepest, clipped[k].depth);
+		low = smaller(low, clipped[k].y);
+		high = larger(high, clipped[k].y);
+		deepest = larger(deepest, clipped[k].depth);
 	}
-	deepest = fminf(deepest, 1.0f);
+	deepest = smaller(deepest, 1.0f);
 	struct plane plane;
 	bool has_plane = find_plane(clipped, &plane);
 	int bottom, top;
