@@ -13,8 +13,12 @@
 /* A long edge is gone through in so many pieces at most, each with a depth of its own. */
 #define PIECES_MAX 16
 
-/* A receiver as near to the light's plane as to see the disc from its edge gets no more. */
-#define FACING_MIN 0.25f
+/* How far the far rim of the disc may be behind its middle, of the way to an edge. An edge that is
+ * nearer concerns everything. */
+#define TURN_MAX 0.75f
+
+/* The depth of such an edge. */
+#define AT_THE_LIGHT (-1e6f)
 
 /* fmaxf() and fminf() are calls, for their handling of numbers that are none. */
 static inline float larger(float a, float b)
@@ -53,18 +57,25 @@ static inline float slope_at(const struct spread *spread, uint32_t tile)
 	       (fabsf(((float)tile + 0.5f) * spread->size - 1.0f) + 0.5f * spread->size);
 }
 
+/* Of the way to window depth d, how far the disc that faces a receiver at the slope is turned away
+ * from the light's axis, divided by K - d. */
+static inline float turn_at(const struct spread *spread, float slope2)
+{
+	return spread->scale * spread->size * spread->slope * sqrtf(slope2 / (1.0f + slope2));
+}
+
 /* Tiles per unit of depth between an edge and a receiver at p of the screen, as far as a penumbra
  * reaches. It spreads by disc_scale(), and away from the axis of a spot, whose disc faces the
  * receiver, farther: by the slant of the ray, and as the disc's far rim is behind its middle. With
  * e the receiver's ray at distance 1, of slope2 = e^2:
  *	|x - p| <= scale sqrt(1 + e^2) (d_r - d_x + 2 half_extent |e| (K - d_r) / (1 + e^2) |x - p|)
+ * The deepest receiver is the one that is reached from farthest, while the turn on the way to the
+ * edge is below 1.
  */
 static inline float spread_at(const struct spread *spread, float slope2, float deepest)
 {
-	float slanted = spread->scale * sqrtf(1.0f + slope2);
-	float turned = slanted * spread->size * spread->slope * sqrtf(slope2) / (1.0f + slope2) *
-		       larger(spread->pole - deepest, 0.0f);
-	return slanted / larger(1.0f - turned, FACING_MIN);
+	float turn = turn_at(spread, slope2) * larger(spread->pole - deepest, 0.0f);
+	return spread->scale * sqrtf(1.0f + slope2) / (1.0f - smaller(turn, TURN_MAX));
 }
 
 /* A row of tiles whose receivers are at most so deep. */
@@ -82,8 +93,8 @@ static void init_row(struct edge_cover *cover, const struct spread *spread, uint
 			spread, slope_x * slope_x + slope_y * slope_y, larger(depth, 0.0f));
 		margin[x] = depth < 0.0f ? -1.0f : widest;
 		base[x] = depth < 0.0f ? -1.0f : reach * depth + ROUNDING;
-		rate[x] = reach;
-		rate_max = larger(rate_max, reach);
+		rate[x] = depth < 0.0f ? 0.0f : reach;
+		rate_max = larger(rate_max, rate[x]);
 		deepest_max = larger(deepest_max, depth);
 	}
 	cover->rate_max = rate_max;
@@ -108,6 +119,8 @@ bool edge_cover_init(struct edge_cover *cover, const struct tile_depths *depths,
 	cover->rate_max = 0.0f;
 	cover->deepest_max = 0.0f;
 	struct spread spread = spread_of(frame, tiles);
+	cover->turn_max = turn_at(&spread, 2.0f * spread.slope * spread.slope);
+	cover->pole = frame->pole;
 	for (uint32_t row = 0; row < tiles; row++)
 		init_row(cover, &spread, row, &depths->deepest[(size_t)row * tiles]);
 	return true;
@@ -230,6 +243,8 @@ static size_t take_marks(struct edge_cover *cover, int bottom, int top, uint16_t
 static struct piece piece_of(const struct edge_cover *cover, const float a[3], const float b[3])
 {
 	struct piece piece = {.depth = smaller(a[2], b[2])};
+	if (cover->turn_max * (cover->pole - piece.depth) > TURN_MAX)
+		piece.depth = AT_THE_LIGHT;
 	for (int axis = 0; axis < 2; axis++) {
 		piece.min[axis] = smaller(a[axis], b[axis]);
 		piece.max[axis] = larger(a[axis], b[axis]);

@@ -17,7 +17,9 @@ struct edge_cover {
 	float per_step;     /* tiles for each step of the raster grid */
 	float *margin;      /* [tiles * tiles]; negative where nothing receives; owned */
 	float *base, *rate; /* [tiles * tiles], owned */
-	float widest, rate_max, deepest_max;
+	float widest, rate_max, deepest_max; /* of all tiles */
+	float turn_max, pole; /* turn_max (pole - d): how far the light's disc is turned from its
+				 axis, of the way to d */
 	size_t margin_capacity, base_capacity, rate_capacity;
 	/* Tiles of an edge, a bit each from the left; all 0 between searches. */
 	uint64_t rows[EDGE_GRID_TILES_MAX][2];

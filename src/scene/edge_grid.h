@@ -35,8 +35,8 @@ struct edge_grid_options {
 
 /**
  * Silhouette edges of all casters, listed per tile of a light's screen. A tile's list has every
- * edge that touches the tile grown by 1.5 texels of the map, and every edge whose penumbra can
- * reach a receiver in the tile; none where no receiver is. Zero is empty; memory is kept from one
+ * edge within 1.5 texels of the map from the tile, and every edge whose penumbra can reach a
+ * receiver in the tile; none where no receiver is. Zero is empty; memory is kept from one
  * search to the next.
  */
 struct edge_grid {
