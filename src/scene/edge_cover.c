@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/edge_cover.h"
 #include "base/array.h"
+#include "base/float_range.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,17 +20,6 @@
 
 /* The depth of such an edge. */
 #define AT_THE_LIGHT (-1e6f)
-
-/* fmaxf() and fminf() are calls, for their handling of numbers that are none. */
-static inline float larger(float a, float b)
-{
-	return a > b ? a : b;
-}
-
-static inline float smaller(float a, float b)
-{
-	return a < b ? a : b;
-}
 
 /* The light's frame as reaches depend on it. */
 struct spread {

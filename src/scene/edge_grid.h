@@ -36,7 +36,8 @@ struct edge_grid_options {
 /**
  * Silhouette edges of all casters, listed per tile of a light's screen. A tile's list has every
  * edge within 1.5 texels of the map from the tile, and every edge whose penumbra can reach a
- * receiver in the tile; none where no receiver is. Zero is empty; memory is kept from one
+ * receiver in the tile that is farther from a spot than four thirds of its radius; none where no
+ * receiver is. Zero is empty; memory is kept from one
  * search to the next.
  */
 struct edge_grid {

@@ -1,19 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/tile_fill.h"
+#include "base/float_range.h"
 
 /* Of a triangle cut by a plane. */
 #define CORNERS_MAX 4
 
-/* fmaxf() and fminf() are calls, for their handling of numbers that are none. */
-static inline float larger(float a, float b)
-{
-	return a > b ? a : b;
-}
-
-static inline float smaller(float a, float b)
-{
-	return a < b ? a : b;
-}
+/* A triangle over no more tiles than these fills the box around it, which is quicker. */
+#define SMALL_TILES 9
 
 /* Tiles and window depth. */
 struct corner {
@@ -70,6 +63,19 @@ static bool tile_range(const struct tile_fill *fill, float low, float high, int 
 	return *first <= *last;
 }
 
+/* The box around nothing. */
+static const struct corner no_corner[2] = {
+	{INFINITY, INFINITY, 1.0f}, {-INFINITY, -INFINITY, 0.0f}};
+
+static void widen(struct corner *low, struct corner *high, const struct corner *corner)
+{
+	low->x = smaller(corner->x, low->x);
+	low->y = smaller(corner->y, low->y);
+	high->x = larger(corner->x, high->x);
+	high->y = larger(corner->y, high->y);
+	high->depth = larger(corner->depth, high->depth);
+}
+
 static void fill_all(const struct tile_fill *fill, float depth)
 {
 	for (int row = 0; row < (int)fill->tiles; row++)
@@ -79,7 +85,7 @@ static void fill_all(const struct tile_fill *fill, float depth)
 void tile_fill_box(
 	const struct tile_fill *fill, mat4 to_clip, const float min[3], const float max[3])
 {
-	struct corner low = {INFINITY, INFINITY, 0.0f}, high = {-INFINITY, -INFINITY, 0.0f};
+	struct corner low = no_corner[0], high = no_corner[1];
 	for (int i = 0; i < 8; i++) {
 		vec4 clip, p = {i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1],
 				   i & 4 ? max[2] : min[2], 1.0f};
@@ -89,11 +95,7 @@ void tile_fill_box(
 			return;
 		}
 		struct corner corner = corner_of(fill, clip);
-		low.x = smaller(low.x, corner.x);
-		low.y = smaller(low.y, corner.y);
-		high.x = larger(high.x, corner.x);
-		high.y = larger(high.y, corner.y);
-		high.depth = larger(high.depth, corner.depth);
+		widen(&low, &high, &corner);
 	}
 	int left, right, bottom, top;
 	if (!tile_range(fill, low.x, high.x, &left, &right) ||
@@ -151,8 +153,8 @@ static void widen_by_side(const struct corner *a, const struct corner *b, float 
 		from += run * ((bottom - lower->y) / rise);
 	if (upper->y > top)
 		to = lower->x + run * ((top - lower->y) / rise);
-	*low = smaller(*low, smaller(from, to));
-	*high = larger(*high, larger(from, to));
+	*low = smaller(smaller(from, to), *low);
+	*high = larger(larger(from, to), *high);
 }
 
 static void fill_polygon_row(const struct tile_fill *fill, const struct corner *corners, int count,
@@ -184,18 +186,21 @@ void tile_fill_triangle(const struct tile_fill *fill, vec4 corners[3])
 	int count = clip_near(fill, corners, clipped);
 	if (count == 0)
 		return;
-	float low = INFINITY, high = -INFINITY, deepest = 0.0f;
-	for (int k = 0; k < count; k++) {
-		low = smaller(low, clipped[k].y);
-		high = larger(high, clipped[k].y);
-		deepest = larger(deepest, clipped[k].depth);
+	struct corner low = no_corner[0], high = no_corner[1];
+	for (int k = 0; k < count; k++)
+		widen(&low, &high, &clipped[k]);
+	high.depth = smaller(high.depth, 1.0f);
+	int left, right, bottom, top;
+	if (!tile_range(fill, low.x, high.x, &left, &right) ||
+		!tile_range(fill, low.y, high.y, &bottom, &top))
+		return;
+	if ((right - left + 1) * (top - bottom + 1) <= SMALL_TILES) {
+		for (int row = bottom; row <= top; row++)
+			fill_row(fill, row, left, right, high.depth);
+		return;
 	}
-	deepest = smaller(deepest, 1.0f);
 	struct plane plane;
 	bool has_plane = find_plane(clipped, &plane);
-	int bottom, top;
-	if (!tile_range(fill, low, high, &bottom, &top))
-		return;
 	for (int row = bottom; row <= top; row++)
-		fill_polygon_row(fill, clipped, count, row, has_plane ? &plane : NULL, deepest);
+		fill_polygon_row(fill, clipped, count, row, has_plane ? &plane : NULL, high.depth);
 }

@@ -328,7 +328,16 @@ static bool concerns(
 	return false;
 }
 
-/* A random point of a triangle; false if it is not on the screen. */
+/* Whether a receiver is farther from a spot, along its axis, than four thirds of its radius. */
+static bool is_off_the_light(const struct world *world, double depth)
+{
+	const struct light_frame *frame = &world->frame;
+	return frame->parallel ||
+	       2.0 * (double)frame->half_extent * scale_of(world) * ((double)frame->pole - depth) <
+		       0.75;
+}
+
+/* A random point of a triangle; false if it is not on the screen, or too near to a spot. */
 static bool pick_receiver(const struct world *world, const struct object *object, size_t triangle,
 	uint64_t *random, struct receiver *receiver)
 {
@@ -355,7 +364,7 @@ static bool pick_receiver(const struct world *world, const struct object *object
 	if (!(receiver->x > 0.0 && receiver->x < 1.0 && receiver->y > 0.0 && receiver->y < 1.0))
 		return false;
 	receiver->tile = (uint32_t)(receiver->y * tiles) * tiles + (uint32_t)(receiver->x * tiles);
-	return true;
+	return is_off_the_light(world, receiver->depth);
 }
 
 static void assert_lists_all(
@@ -501,11 +510,248 @@ static void whatever_the_mesh_winding_numbers_count_its_sheets(void **state)
 		model_finish((struct model *)&rows[i].model);
 }
 
+/* A light in the middle of a mesh: what is around it and before the near plane is cut off. */
+static void a_light_inside_a_caster_sees_what_is_beyond_the_near_plane(void **state)
+{
+	(void)state;
+	const struct {
+		const char *name;
+		struct model model;
+	} rows[] = {
+		{"cube", model_cube()},
+		{"sphere", model_sphere(3)},
+		{"grid", model_grid(6)},
+		{"moebius strip", model_moebius()},
+		{"soup", model_soup(60, 100)},
+	};
+	static const float *const transforms[] = {unmoved, mirrored, sheared};
+	struct model floor = model_grid(2);
+	for (size_t i = 0; i < 3 * sizeof(rows) / sizeof(rows[0]); i++) {
+		struct world world;
+		struct sm_light_desc light = lamp;
+		light.position[0] = light.position[2] = 0.03f;
+		light.position[1] = 0.02f;
+		light.angle = 90;
+		init(&world);
+		add_object(&world, &rows[i / 3].model, transforms[i % 3], true);
+		add_object(&world, &floor, below, false);
+		aim(&world, &light);
+		find(&world, &usual);
+		assert_grid(&world, rows[i / 3].name);
+		finish(&world);
+	}
+	model_finish(&floor);
+	for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++)
+		model_finish((struct model *)&rows[i].model);
+}
+
+/* Edges in all lists that are not behind a depth, and are. */
+static void count_entries(const struct edge_grid *grid, float depth, size_t *before, size_t *behind)
+{
+	*before = *behind = 0;
+	for (size_t i = 1; i < grid->vertex_count; i++) {
+		if (grid->vertices[i].start != 0.0f)
+			continue;
+		float nearest = fminf(grid->vertices[i - 1].depth, grid->vertices[i].depth);
+		*(nearest <= depth ? before : behind) += 1;
+	}
+}
+
+static void fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long(void **state)
+{
+	(void)state;
+	struct world world, all;
+	struct edge_grid_options options = {128, MAP_SIZE, SUBPIXEL_BITS, VERTICES_MAX};
+	static const char *const wide[] = {"light.radius=0.6"};
+	load(&world, "builtin:debris:600", wide, 1);
+	load(&all, "builtin:debris:600", wide, 1);
+	options.tiles = 32;
+	find(&all, &options);
+	size_t enough = all.grid.vertex_count, entries, none;
+	count_entries(&all.grid, 1.0f, &entries, &none);
+	assert_int_equal(none, 0);
+
+	options.tiles = 128;
+	options.vertices_max = enough;
+	find(&world, &options);
+	assert_int_equal(world.grid.tiles, 32);
+	assert_grid(&world, "debris on 32 tiles");
+
+	size_t rooms[] = {enough - 1, enough / 2, enough / 10, 100, 3, 2, 1, 0};
+	for (size_t i = 0; i < sizeof(rooms) / sizeof(rooms[0]); i++) {
+		options.vertices_max = rooms[i];
+		find(&world, &options);
+		assert_int_equal(world.grid.tiles, 32);
+		assert_true(world.grid.vertex_count <= rooms[i]);
+		assert_lists_are_in_order(&world, "debris without room");
+		assert_winding_counts_sheets(&world, "debris without room");
+		size_t kept, missing, beyond;
+		count_entries(&world.grid, 2.0f, &kept, &none);
+		assert_int_equal(kept + world.grid.dropped, entries);
+		if (rooms[i] < enough / 10)
+			continue;
+		/* No edge is missing that is nearer, by a thousandth of all depths. */
+		assert_true(world.grid.vertex_count > rooms[i] / 2);
+		float deepest = 0.0f;
+		for (size_t k = 1; k < world.grid.vertex_count; k++)
+			if (world.grid.vertices[k].start == 0.0f)
+				deepest = fmaxf(deepest, fminf(world.grid.vertices[k - 1].depth,
+								 world.grid.vertices[k].depth));
+		count_entries(&all.grid, deepest - 1e-3f, &missing, &beyond);
+		count_entries(&world.grid, deepest - 1e-3f, &kept, &none);
+		assert_int_equal(kept, missing);
+	}
+	finish(&world);
+	finish(&all);
+}
+
+static void assert_nothing_listed(const struct world *world)
+{
+	assert_int_equal(world->grid.vertex_count, 0);
+	assert_true(world->grid.mean_list == 0.0f);
+	for (uint32_t t = 0; t < world->grid.tiles * world->grid.tiles; t++)
+		assert_true(edge_tile_count(&world->grid.of[t]) == 0 &&
+			    world->grid.of[t].nearest == 2.0f);
+}
+
+static void without_casters_or_receivers_nothing_is_listed(void **state)
+{
+	(void)state;
+	struct world world;
+	struct model floor = model_grid(2), cube = model_cube();
+	init(&world);
+	aim(&world, &lamp);
+	find(&world, &usual);
+	assert_nothing_listed(&world);
+	add_object(&world, &floor, below, false);
+	aim(&world, &lamp);
+	find(&world, &usual);
+	assert_nothing_listed(&world);
+	assert_int_equal(edge_tile_winding(&world.grid.of[0]), 0);
+	assert_true(world.grid.of[0].farthest == 0.0f);
+
+	add_object(&world, &cube, unmoved, true);
+	for (size_t i = 0; i < 2; i++)
+		world.stage.scene->objects[i].receives = false;
+	aim(&world, &lamp);
+	find(&world, &usual);
+	assert_nothing_listed(&world);
+	assert_true(world.grid.edge_count > 0);
+	assert_winding_counts_sheets(&world, "cube without receivers");
+	finish(&world);
+	model_finish(&floor);
+	model_finish(&cube);
+}
+
+/* Whether one interval touches another. */
+static bool overlap(float a, float b, float low, float high)
+{
+	return fmaxf(a, b) >= low && fminf(a, b) <= high;
+}
+
+/* The box around each edge of a tile's list touches the tile grown by a margin, tiles. */
+static void assert_near_tile(const struct edge_grid *grid, uint32_t t, float margin)
+{
+	const struct chain_vertex *list = &grid->vertices[grid->of[t].first];
+	float tiles = (float)grid->tiles;
+	float left = (float)(t % grid->tiles) - margin, bottom = (float)(t / grid->tiles) - margin;
+	for (uint32_t i = 1; i < edge_tile_count(&grid->of[t]); i++)
+		assert_true(list[i].start != 0.0f ||
+			    (overlap(list[i - 1].x * tiles, list[i].x * tiles, left,
+				     left + 1.0f + 2.0f * margin) &&
+				    overlap(list[i - 1].y * tiles, list[i].y * tiles, bottom,
+					    bottom + 1.0f + 2.0f * margin)));
+}
+
+static void a_point_light_lists_edges_where_they_are(void **state)
+{
+	(void)state;
+	struct world world;
+	struct model floor = model_grid(2), sphere = model_sphere(3);
+	struct sm_light_desc light = lamp;
+	light.radius = 0.0f;
+	init(&world);
+	add_object(&world, &sphere, unmoved, true);
+	add_object(&world, &floor, below, false);
+	aim(&world, &light);
+	find(&world, &usual);
+	assert_grid(&world, "point light");
+	/* A texel and a half around a tile is less than half a tile. */
+	for (uint32_t t = 0; t < world.grid.tiles * world.grid.tiles; t++)
+		assert_near_tile(&world.grid, t, 0.5f);
+	finish(&world);
+	model_finish(&floor);
+	model_finish(&sphere);
+}
+
+/* What is too large, or too near, for float. */
+static void everything_is_finite(void **state)
+{
+	(void)state;
+	static const float sizes[] = {1e-30f, 1e-6f, 1e6f, 1e18f, 3e37f};
+	static const float radii[] = {0.0f, 1e-20f, 1.0f, 1e9f, 1e30f};
+	struct model cube = model_cube();
+	for (size_t i = 0; i < 50; i++) {
+		struct world world;
+		struct sm_light_desc light = lamp;
+		light.type = i % 2 ? SM_LIGHT_DIRECTIONAL : SM_LIGHT_SPOT;
+		light.radius = radii[i / 10];
+		float size = sizes[i / 2 % 5];
+		const float transform[16] = {
+			size, 0, 0, 0, 0, size, 0, 0, 0, 0, size, 0, 0, 0, 0, 1};
+		init(&world);
+		add_object(&world, &cube, transform, true);
+		add_object(&world, &cube, below, true);
+		aim(&world, &light);
+		find(&world, &usual);
+		assert_lists_are_in_order(&world, "large and small");
+		for (uint32_t t = 0; t < world.grid.tiles * world.grid.tiles; t++)
+			assert_true(world.grid.of[t].farthest >= 0.0f &&
+				    world.grid.of[t].farthest <= 1.0f);
+		assert_true(isfinite(world.grid.mean_list));
+		finish(&world);
+	}
+	model_finish(&cube);
+}
+
+static void a_grid_serves_one_scene_after_the_other(void **state)
+{
+	(void)state;
+	static const char *const sources[] = {
+		"builtin:urchin:2000", "builtin:boxes", "builtin:debris:600", "builtin:knot"};
+	struct edge_grid grid = {0};
+	for (size_t i = 0; i < sizeof(sources) / sizeof(sources[0]); i++) {
+		struct world world, fresh;
+		load(&world, sources[i], NULL, 0);
+		load(&fresh, sources[i], NULL, 0);
+		world.grid = grid;
+		find(&world, &usual);
+		find(&fresh, &usual);
+		assert_int_equal(world.grid.vertex_count, fresh.grid.vertex_count);
+		assert_memory_equal(world.grid.vertices, fresh.grid.vertices,
+			fresh.grid.vertex_count * sizeof(*fresh.grid.vertices));
+		assert_memory_equal(world.grid.of, fresh.grid.of,
+			sizeof(*fresh.grid.of) * fresh.grid.tiles * fresh.grid.tiles);
+		assert_true(edge_grid_bytes(&world.grid) >= edge_grid_bytes(&fresh.grid));
+		grid = world.grid;
+		stage_finish(&world.stage);
+		finish(&fresh);
+	}
+	edge_grid_finish(&grid);
+	assert_int_equal(edge_grid_bytes(&grid), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(scenes_are_counted_and_listed),
 		cmocka_unit_test(whatever_the_mesh_winding_numbers_count_its_sheets),
+		cmocka_unit_test(a_light_inside_a_caster_sees_what_is_beyond_the_near_plane),
+		cmocka_unit_test(fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long),
+		cmocka_unit_test(without_casters_or_receivers_nothing_is_listed),
+		cmocka_unit_test(a_point_light_lists_edges_where_they_are),
+		cmocka_unit_test(everything_is_finite),
+		cmocka_unit_test(a_grid_serves_one_scene_after_the_other),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef BASE_FLOAT_RANGE_H
+#define BASE_FLOAT_RANGE_H
+
+/* fmaxf() and fminf() are calls, as a number that is none must not win there. Here b is taken where
+ * either is none. */
+
+static inline float larger(float a, float b)
+{
+	return a > b ? a : b;
+}
+
+static inline float smaller(float a, float b)
+{
+	return a < b ? a : b;
+}
+
+#endif
