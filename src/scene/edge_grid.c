@@ -24,21 +24,31 @@ static bool add_caster(struct edge_grid *grid, const struct sm_scene *scene,
 	       tile_depths_add_caster(&grid->depths, scene, object, &view, margin);
 }
 
+/* Those that cast as well, or those that do not. */
+static bool add_receivers(struct edge_grid *grid, const struct sm_scene *scene,
+	const struct light_frame *frame, bool casting)
+{
+	for (size_t i = 0; i < scene->object_count; i++) {
+		const struct object *object = &scene->objects[i];
+		if (object->receives && object->casts == casting &&
+			!tile_depths_add_receiver(&grid->depths, scene, object, frame))
+			return false;
+	}
+	return true;
+}
+
 static bool add_objects(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct edge_grid_options *options)
 {
 	edge_chains_clear(&grid->chains);
 	if (!tile_depths_clear(&grid->depths, scene, options->tiles))
 		return false;
-	for (size_t i = 0; i < scene->object_count; i++) {
-		const struct object *object = &scene->objects[i];
-		if (object->casts && !add_caster(grid, scene, object, frame, options))
+	for (size_t i = 0; i < scene->object_count; i++)
+		if (scene->objects[i].casts &&
+			!add_caster(grid, scene, &scene->objects[i], frame, options))
 			return false;
-		if (object->receives &&
-			!tile_depths_add_receiver(&grid->depths, scene, object, frame))
-			return false;
-	}
-	return true;
+	/* What only receives is mostly ground, and casters before it are quickly done with. */
+	return add_receivers(grid, scene, frame, false) && add_receivers(grid, scene, frame, true);
 }
 
 /* With as many tiles as leave the lists short enough. */

@@ -1,11 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/edge_lists.h"
 #include "base/array.h"
+#include "base/float_range.h"
 #include <stdlib.h>
 #include <string.h>
 
 /* Steps of depth in which edges are let go of. */
 #define DEPTH_STEPS 1024
+
+/* A list that is being made. */
+struct list_end {
+	uint32_t last_edge; /* 1 + the one that was listed last */
+	uint32_t place;     /* of the next vertex; while they are counted, from 0 */
+	uint32_t run;       /* place of the last chain's start */
+};
 
 /* A chain within a tile's list. */
 struct chain_run {
@@ -24,13 +32,13 @@ static const struct depth_limit no_limit = {.step = DEPTH_STEPS};
 
 static float nearest_of(const struct chain_point *edge)
 {
-	return fminf(edge[0].depth, edge[1].depth);
+	return smaller(edge[0].depth, edge[1].depth);
 }
 
 static int step_of(const struct depth_limit *limit, const struct chain_point *edge)
 {
 	float steps = (nearest_of(edge) - limit->nearest) * limit->steps_per_depth;
-	return (int)fminf(steps, DEPTH_STEPS - 1);
+	return (int)smaller(steps, DEPTH_STEPS - 1);
 }
 
 /* Whether an edge of so many entries is listed. */
@@ -45,33 +53,33 @@ static bool admit(struct depth_limit *limit, const struct chain_point *edge, siz
 	return true;
 }
 
-static bool reserve_tiles(struct edge_lists *lists, size_t tiles)
+/* What a search needs whatever it finds. */
+static bool reserve(struct edge_lists *lists, size_t tiles, size_t points)
 {
 	return array_reserve((void **)&lists->first, &lists->first_capacity, tiles + 1,
 		       sizeof(*lists->first)) &&
-	       array_reserve((void **)&lists->last_edges, &lists->last_capacity, tiles,
-		       sizeof(*lists->last_edges)) &&
-	       array_reserve((void **)&lists->places, &lists->place_capacity, tiles,
-		       sizeof(*lists->places)) &&
 	       array_reserve(
-		       (void **)&lists->runs, &lists->run_capacity, tiles, sizeof(*lists->runs));
+		       (void **)&lists->ends, &lists->end_capacity, tiles, sizeof(*lists->ends)) &&
+	       array_reserve((void **)&lists->entries, &lists->entry_capacity, tiles,
+		       sizeof(*lists->entries)) &&
+	       array_reserve((void **)&lists->entry_ends, &lists->entry_end_capacity, points,
+		       sizeof(*lists->entry_ends));
 }
 
-/* Notes that an edge is listed in a tile; returns whether its chain goes on there. */
-static bool continues(struct edge_lists *lists, uint32_t tile, size_t edge)
+/* Notes that an edge is listed; returns whether its chain goes on there. */
+static bool continues(struct list_end *end, size_t edge)
 {
-	bool goes_on = edge > 0 && lists->last_edges[tile] == edge;
-	lists->last_edges[tile] = (uint32_t)edge + 1;
+	bool goes_on = edge > 0 && end->last_edge == edge;
+	end->last_edge = (uint32_t)edge + 1;
 	return goes_on;
 }
 
-/* Finds each edge's tiles, and counts their vertices in places. Stops where there are too many. */
+/* Finds each edge's tiles, and counts their vertices. Stops where there are too many. */
 static enum edge_lists_result collect(struct edge_lists *lists, const struct edge_chains *chains,
 	struct edge_cover *cover, size_t vertices_max, struct depth_limit limit)
 {
 	size_t tiles = (size_t)cover->tiles * cover->tiles;
-	memset(lists->last_edges, 0, tiles * sizeof(*lists->last_edges));
-	memset(lists->places, 0, tiles * sizeof(*lists->places));
+	memset(lists->ends, 0, tiles * sizeof(*lists->ends));
 	lists->entry_count = 0;
 	lists->vertex_count = 0;
 	for (size_t i = 0; i + 1 < chains->count; i++) {
@@ -85,8 +93,9 @@ static enum edge_lists_result collect(struct edge_lists *lists, const struct edg
 			if (limit.step < DEPTH_STEPS && !admit(&limit, edge, count))
 				count = 0;
 			for (size_t k = 0; k < count; k++) {
-				uint32_t added = continues(lists, found[k], i) ? 1 : 2;
-				lists->places[found[k]] += added;
+				struct list_end *end = &lists->ends[found[k]];
+				uint32_t added = continues(end, i) ? 1 : 2;
+				end->place += added;
 				lists->vertex_count += added;
 			}
 			lists->entry_count += count;
@@ -98,16 +107,30 @@ static enum edge_lists_result collect(struct edge_lists *lists, const struct edg
 	return EDGE_LISTS_MADE;
 }
 
+/* Of so many edges one is tried first. */
+#define SAMPLED 16
+
+/* Whether an even sample of the edges says that there will be too many vertices: each has
+ * one in each of its tiles, and more where a chain begins. */
+static bool looks_full(struct edge_lists *lists, const struct edge_chains *chains,
+	struct edge_cover *cover, size_t vertices_max)
+{
+	size_t sum = 0;
+	for (size_t i = 0; i + 1 < chains->count; i += SAMPLED) {
+		const struct chain_point *edge = &chains->points[i];
+		if (!edge->ends)
+			sum += edge_cover_find(cover, edge, edge + 1, lists->entries);
+	}
+	return sum * SAMPLED > vertices_max;
+}
+
 /* Finds how many vertices each step of depth adds to those before it; counts all entries. */
-static bool count_by_depth(struct edge_lists *lists, const struct edge_chains *chains,
+static void count_by_depth(struct edge_lists *lists, const struct edge_chains *chains,
 	struct edge_cover *cover, const struct depth_limit *limit, int64_t added[DEPTH_STEPS],
 	size_t *entries)
 {
 	size_t tiles = (size_t)cover->tiles * cover->tiles;
-	if (!array_reserve((void **)&lists->entries, &lists->entry_capacity, tiles,
-		    sizeof(*lists->entries)))
-		return false;
-	memset(lists->last_edges, 0, tiles * sizeof(*lists->last_edges));
+	memset(lists->ends, 0, tiles * sizeof(*lists->ends));
 	memset(added, 0, DEPTH_STEPS * sizeof(*added));
 	*entries = 0;
 	for (size_t i = 0; i + 1 < chains->count; i++) {
@@ -121,9 +144,8 @@ static bool count_by_depth(struct edge_lists *lists, const struct edge_chains *c
 		*entries += count;
 		/* Two edges that follow each other share a vertex once both are listed. */
 		for (size_t k = 0; k < count; k++)
-			added[both] -= continues(lists, lists->entries[k], i);
+			added[both] -= continues(&lists->ends[lists->entries[k]], i);
 	}
-	return true;
 }
 
 static void find_depth_range(const struct edge_chains *chains, struct depth_limit *limit)
@@ -133,12 +155,12 @@ static void find_depth_range(const struct edge_chains *chains, struct depth_limi
 		if (chains->points[i].ends)
 			continue;
 		float depth = nearest_of(&chains->points[i]);
-		nearest = fminf(nearest, depth);
-		farthest = fmaxf(farthest, depth);
+		nearest = smaller(nearest, depth);
+		farthest = larger(farthest, depth);
 	}
 	limit->nearest = nearest;
 	limit->steps_per_depth =
-		farthest > nearest ? DEPTH_STEPS / fmaxf(farthest - nearest, 1e-30f) : 0.0f;
+		farthest > nearest ? DEPTH_STEPS / larger(farthest - nearest, 1e-30f) : 0.0f;
 }
 
 /* Collects the nearest edges of all, as many as there is room for. */
@@ -149,8 +171,7 @@ static enum edge_lists_result collect_nearest(struct edge_lists *lists,
 	int64_t added[DEPTH_STEPS], sum = 0;
 	size_t entries;
 	find_depth_range(chains, &limit);
-	if (!count_by_depth(lists, chains, cover, &limit, added, &entries))
-		return EDGE_LISTS_NO_MEMORY;
+	count_by_depth(lists, chains, cover, &limit, added, &entries);
 	limit.step = 0;
 	while (limit.step < DEPTH_STEPS - 1 && sum + added[limit.step] <= (int64_t)vertices_max)
 		sum += added[limit.step++];
@@ -171,26 +192,38 @@ static void place_lists(struct edge_lists *lists, size_t tiles)
 {
 	uint32_t sum = 0;
 	for (size_t t = 0; t < tiles; t++) {
-		uint32_t count = lists->places[t];
-		lists->first[t] = lists->places[t] = sum;
+		uint32_t count = lists->ends[t].place;
+		lists->first[t] = sum;
+		lists->ends[t] = (struct list_end){.place = sum};
 		sum += count;
 	}
 	lists->first[tiles] = sum;
 }
 
-static void write_edge(struct edge_lists *lists, const struct chain_point *edge, float step,
-	uint32_t tile, bool goes_on, float start)
+/* An edge of the chains as it is listed. */
+struct listed_edge {
+	struct chain_vertex from, to;
+};
+
+static struct listed_edge listed_edge_of(const struct chain_point *edge, float step)
 {
-	uint32_t *place = &lists->places[tile];
+	return (struct listed_edge){
+		{(float)edge[0].x * step, (float)edge[0].y * step, edge[0].depth,
+			start_at(nearest_of(edge))},
+		{(float)edge[1].x * step, (float)edge[1].y * step, edge[1].depth, 0.0f},
+	};
+}
+
+static void write_edge(struct chain_vertex *vertices, struct list_end *end,
+	const struct listed_edge *edge, bool goes_on)
+{
 	if (!goes_on) {
-		lists->runs[tile] = *place;
-		lists->vertices[(*place)++] = (struct chain_vertex){
-			(float)edge[0].x * step, (float)edge[0].y * step, edge[0].depth, start};
+		end->run = end->place;
+		vertices[end->place++] = edge->from;
 	}
-	float *run_start = &lists->vertices[lists->runs[tile]].start;
-	*run_start = fminf(*run_start, start);
-	lists->vertices[(*place)++] = (struct chain_vertex){
-		(float)edge[1].x * step, (float)edge[1].y * step, edge[1].depth, 0.0f};
+	float *run_start = &vertices[end->run].start;
+	*run_start = smaller(*run_start, edge->from.start);
+	vertices[end->place++] = edge->to;
 }
 
 /* Writes the collected edges, each tile's in the chains' order. */
@@ -198,16 +231,14 @@ static void write_lists(
 	struct edge_lists *lists, const struct edge_chains *chains, size_t tiles, float step)
 {
 	place_lists(lists, tiles);
-	memset(lists->last_edges, 0, tiles * sizeof(*lists->last_edges));
 	size_t entry = 0;
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		if (entry == lists->entry_ends[i])
 			continue;
-		const struct chain_point *edge = &chains->points[i];
-		float start = start_at(nearest_of(edge));
+		struct listed_edge edge = listed_edge_of(&chains->points[i], step);
 		for (; entry < lists->entry_ends[i]; entry++) {
-			uint32_t tile = lists->entries[entry];
-			write_edge(lists, edge, step, tile, continues(lists, tile, i), start);
+			struct list_end *end = &lists->ends[lists->entries[entry]];
+			write_edge(lists->vertices, end, &edge, continues(end, i));
 		}
 	}
 }
@@ -283,10 +314,10 @@ enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct ed
 {
 	size_t tiles = (size_t)cover->tiles * cover->tiles;
 	lists->dropped = 0;
-	if (!reserve_tiles(lists, tiles) ||
-		!array_reserve((void **)&lists->entry_ends, &lists->end_capacity, chains->count,
-			sizeof(*lists->entry_ends)))
+	if (!reserve(lists, tiles, chains->count))
 		return EDGE_LISTS_NO_MEMORY;
+	if (!drop && looks_full(lists, chains, cover, vertices_max))
+		return EDGE_LISTS_FULL;
 	enum edge_lists_result result = collect(lists, chains, cover, vertices_max, no_limit);
 	if (result == EDGE_LISTS_FULL && drop)
 		result = collect_nearest(lists, chains, cover, vertices_max);
@@ -306,9 +337,7 @@ void edge_lists_finish(struct edge_lists *lists)
 	free(lists->first);
 	free(lists->entries);
 	free(lists->entry_ends);
-	free(lists->last_edges);
-	free(lists->places);
-	free(lists->runs);
+	free(lists->ends);
 	free(lists->sorted);
 	free(lists->order);
 	*lists = (struct edge_lists){0};
@@ -317,9 +346,8 @@ void edge_lists_finish(struct edge_lists *lists)
 size_t edge_lists_bytes(const struct edge_lists *lists)
 {
 	return (lists->vertex_capacity + lists->sorted_capacity) * sizeof(*lists->vertices) +
-	       (lists->first_capacity + lists->end_capacity + lists->last_capacity +
-		       lists->place_capacity + lists->run_capacity) *
-		       sizeof(uint32_t) +
+	       (lists->first_capacity + lists->entry_end_capacity) * sizeof(uint32_t) +
+	       lists->end_capacity * sizeof(*lists->ends) +
 	       lists->entry_capacity * sizeof(*lists->entries) +
 	       lists->order_capacity * sizeof(*lists->order);
 }

@@ -23,16 +23,14 @@ struct edge_lists {
 	size_t edge_count; /* in all lists together */
 	size_t dropped;    /* that there was no room for */
 	/* Working memory; owned */
-	uint16_t *entries;    /* tiles of one edge after the other */
-	uint32_t *entry_ends; /* of edges, by their first points */
-	uint32_t *last_edges; /* of tiles: 1 + the edge that was listed last */
-	uint32_t *places;     /* of tiles: where the next vertex goes */
-	uint32_t *runs;       /* of tiles: where the chain starts that it continues */
+	uint16_t *entries;     /* tiles of one edge after the other */
+	uint32_t *entry_ends;  /* of edges, by their first points */
+	struct list_end *ends; /* [tiles * tiles] */
 	struct chain_vertex *sorted;
 	struct chain_run *order;
 	size_t entry_count;
-	size_t vertex_capacity, first_capacity, entry_capacity, end_capacity, last_capacity,
-		place_capacity, run_capacity, sorted_capacity, order_capacity;
+	size_t vertex_capacity, first_capacity, entry_capacity, entry_end_capacity, end_capacity,
+		sorted_capacity, order_capacity;
 };
 
 /** Whether the lists fit. */

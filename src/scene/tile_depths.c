@@ -52,9 +52,10 @@ bool tile_depths_clear(struct tile_depths *depths, const struct sm_scene *scene,
 
 /* Triangles of either kind of mesh. */
 struct triangles {
+	size_t vertex_count;
 	const float (*positions)[3];
-	const uint32_t *indices;
 	size_t count;
+	const uint32_t *indices;
 };
 
 /* Sets *clusters to the triangles' boxes unless it has them. */
@@ -69,21 +70,33 @@ static bool have_clusters(struct cluster **clusters, const struct triangles *tri
 	return true;
 }
 
-static void fill_triangle(
-	const struct tile_fill *fill, const struct triangles *triangles, mat4 to_clip, size_t t)
-{
-	vec4 corners[3];
-	for (int k = 0; k < 3; k++) {
-		const float *p = triangles->positions[triangles->indices[3 * t + (size_t)k]];
-		glm_mat4_mulv(to_clip, (vec4){p[0], p[1], p[2], 1.0f}, corners[k]);
-	}
-	tile_fill_triangle(fill, corners);
-}
-
 /* Whether triangle t of a caster counts as a sheet. */
 static bool is_sheet(const struct caster_view *view, size_t t)
 {
 	return t >= view->rule.one_sided || (view->facing[t / EDGE_BLOCK] >> t % EDGE_BLOCK & 1);
+}
+
+/* Few enough to be gone through one by one. */
+static bool are_few(const struct triangles *triangles)
+{
+	return triangles->count <= SINGLE_TRIANGLES_MAX &&
+	       triangles->vertex_count <= 3 * SINGLE_TRIANGLES_MAX;
+}
+
+/* view: of a caster, only of whose sheets the triangles are; NULL: of all. */
+static void fill_few(const struct tile_fill *fill, const struct triangles *triangles, mat4 to_clip,
+	const struct caster_view *view)
+{
+	struct tile_vertex vertices[3 * SINGLE_TRIANGLES_MAX];
+	for (size_t i = 0; i < triangles->vertex_count; i++)
+		vertices[i] = tile_vertex_of(fill, to_clip, triangles->positions[i]);
+	for (size_t t = 0; t < triangles->count; t++) {
+		const uint32_t *corners = &triangles->indices[3 * t];
+		if (view == NULL || is_sheet(view, t))
+			tile_fill_triangle(
+				fill, (const struct tile_vertex *const[]){&vertices[corners[0]],
+					      &vertices[corners[1]], &vertices[corners[2]]});
+	}
 }
 
 static bool has_sheets(const struct caster_view *view, size_t first)
@@ -98,15 +111,16 @@ bool tile_depths_add_receiver(struct tile_depths *depths, const struct sm_scene 
 	const struct object *object, const struct light_frame *frame)
 {
 	const struct mesh *mesh = &scene->meshes[object->mesh];
-	struct triangles triangles = {
-		(const float(*)[3])mesh->positions, mesh->indices, mesh->index_count / 3};
+	struct triangles triangles = {mesh->vertex_count, (const float(*)[3])mesh->positions,
+		mesh->index_count / 3, mesh->indices};
 	struct tile_fill fill = {depths->deepest, depths->tiles, RECEIVER_MARGIN};
 	struct cluster **clusters = &depths->meshes[object->mesh].drawn;
 	mat4 to_clip;
 	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
-	if (triangles.count <= SINGLE_TRIANGLES_MAX) {
-		for (size_t t = 0; t < triangles.count; t++)
-			fill_triangle(&fill, &triangles, to_clip, t);
+	if (tile_fill_has_box(&fill, to_clip, mesh->min, mesh->max))
+		return true;
+	if (are_few(&triangles)) {
+		fill_few(&fill, &triangles, to_clip, NULL);
 		return true;
 	}
 	if (!have_clusters(clusters, &triangles))
@@ -120,15 +134,13 @@ bool tile_depths_add_caster(struct tile_depths *depths, const struct sm_scene *s
 	const struct object *object, const struct caster_view *view, float margin)
 {
 	const struct caster *caster = &scene->meshes[object->mesh].caster;
-	struct triangles triangles = {
-		(const float(*)[3])caster->positions, caster->indices, caster->triangle_count};
+	struct triangles triangles = {caster->vertex_count, (const float(*)[3])caster->positions,
+		caster->triangle_count, caster->indices};
 	struct tile_fill fill = {depths->farthest, depths->tiles, margin};
 	struct cluster **clusters = &depths->meshes[object->mesh].casting;
 	vec4 *to_clip = (vec4 *)view->to_clip;
-	if (triangles.count <= SINGLE_TRIANGLES_MAX) {
-		for (size_t t = 0; t < triangles.count; t++)
-			if (is_sheet(view, t))
-				fill_triangle(&fill, &triangles, to_clip, t);
+	if (are_few(&triangles)) {
+		fill_few(&fill, &triangles, to_clip, view);
 		return true;
 	}
 	if (!have_clusters(clusters, &triangles))

@@ -8,21 +8,26 @@
 /* A triangle over no more tiles than these fills the box around it, which is quicker. */
 #define SMALL_TILES 9
 
-/* Tiles and window depth. */
-struct corner {
-	float x, y, depth;
-};
-
 /* Depths of a polygon's plane: at the origin, and what a tile to the right and one up add. */
 struct plane {
 	float origin, dx, dy;
 };
 
-static struct corner corner_of(const struct tile_fill *fill, const float clip[4])
+static struct tile_point point_of(const struct tile_fill *fill, const float clip[4])
 {
 	float scale = 0.5f / clip[3], tiles = (float)fill->tiles;
-	return (struct corner){(0.5f + clip[0] * scale) * tiles, (0.5f + clip[1] * scale) * tiles,
-		0.5f + clip[2] * scale};
+	return (struct tile_point){(0.5f + clip[0] * scale) * tiles,
+		(0.5f + clip[1] * scale) * tiles, 0.5f + clip[2] * scale};
+}
+
+struct tile_vertex tile_vertex_of(
+	const struct tile_fill *fill, mat4 to_clip, const float position[3])
+{
+	struct tile_vertex vertex;
+	vec4 homogeneous = {position[0], position[1], position[2], 1.0f};
+	glm_mat4_mulv(to_clip, homogeneous, vertex.clip);
+	vertex.point = point_of(fill, vertex.clip);
+	return vertex;
 }
 
 /* The tile that a coordinate is in, or the nearest: from -1 to tiles, that of no number -1. */
@@ -64,10 +69,10 @@ static bool tile_range(const struct tile_fill *fill, float low, float high, int 
 }
 
 /* The box around nothing. */
-static const struct corner no_corner[2] = {
+static const struct tile_point no_corner[2] = {
 	{INFINITY, INFINITY, 1.0f}, {-INFINITY, -INFINITY, 0.0f}};
 
-static void widen(struct corner *low, struct corner *high, const struct corner *corner)
+static void widen(struct tile_point *low, struct tile_point *high, const struct tile_point *corner)
 {
 	low->x = smaller(corner->x, low->x);
 	low->y = smaller(corner->y, low->y);
@@ -76,56 +81,80 @@ static void widen(struct corner *low, struct corner *high, const struct corner *
 	high->depth = larger(corner->depth, high->depth);
 }
 
-static void fill_all(const struct tile_fill *fill, float depth)
+/* What a box covers: tiles and the largest depth. */
+struct cover {
+	int left, right, bottom, top; /* up to and with these */
+	float depth;
+};
+
+/* False where it covers nothing. */
+static bool cover_box(const struct tile_fill *fill, mat4 to_clip, const float min[3],
+	const float max[3], struct cover *cover)
 {
-	for (int row = 0; row < (int)fill->tiles; row++)
-		fill_row(fill, row, 0, (int)fill->tiles - 1, depth);
+	struct tile_point low = no_corner[0], high = no_corner[1];
+	for (int i = 0; i < 8; i++) {
+		const float p[3] = {
+			i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]};
+		struct tile_vertex corner = tile_vertex_of(fill, to_clip, p);
+		if (!(corner.clip[2] >= -corner.clip[3]) || !(corner.clip[3] > 0.0f)) {
+			int last = (int)fill->tiles - 1;
+			*cover = (struct cover){0, last, 0, last, 1.0f};
+			return true;
+		}
+		widen(&low, &high, &corner.point);
+	}
+	cover->depth = smaller(high.depth, 1.0f);
+	return tile_range(fill, low.x, high.x, &cover->left, &cover->right) &&
+	       tile_range(fill, low.y, high.y, &cover->bottom, &cover->top);
 }
 
 void tile_fill_box(
 	const struct tile_fill *fill, mat4 to_clip, const float min[3], const float max[3])
 {
-	struct corner low = no_corner[0], high = no_corner[1];
-	for (int i = 0; i < 8; i++) {
-		vec4 clip, p = {i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1],
-				   i & 4 ? max[2] : min[2], 1.0f};
-		glm_mat4_mulv(to_clip, p, clip);
-		if (!(clip[2] >= -clip[3]) || !(clip[3] > 0.0f)) {
-			fill_all(fill, 1.0f);
-			return;
-		}
-		struct corner corner = corner_of(fill, clip);
-		widen(&low, &high, &corner);
-	}
-	int left, right, bottom, top;
-	if (!tile_range(fill, low.x, high.x, &left, &right) ||
-		!tile_range(fill, low.y, high.y, &bottom, &top))
+	struct cover cover;
+	if (!cover_box(fill, to_clip, min, max, &cover))
 		return;
-	for (int row = bottom; row <= top; row++)
-		fill_row(fill, row, left, right, smaller(high.depth, 1.0f));
+	for (int row = cover.bottom; row <= cover.top; row++)
+		fill_row(fill, row, cover.left, cover.right, cover.depth);
+}
+
+bool tile_fill_has_box(
+	const struct tile_fill *fill, mat4 to_clip, const float min[3], const float max[3])
+{
+	struct cover cover;
+	if (!cover_box(fill, to_clip, min, max, &cover))
+		return true;
+	for (int row = cover.bottom; row <= cover.top; row++) {
+		const float *values = &fill->values[(size_t)row * fill->tiles];
+		for (int x = cover.left; x <= cover.right; x++)
+			if (values[x] < cover.depth)
+				return false;
+	}
+	return true;
 }
 
 /* What of a triangle is beyond the near plane (Sutherland & Hodgman 1974). */
-static int clip_near(
-	const struct tile_fill *fill, vec4 corners[3], struct corner clipped[CORNERS_MAX])
+static int clip_near(const struct tile_fill *fill, const struct tile_vertex *const corners[3],
+	struct tile_point clipped[CORNERS_MAX])
 {
 	int count = 0;
 	for (int k = 0; k < 3; k++) {
-		float *p = corners[k], *q = corners[(k + 1) % 3];
-		float inside_p = p[2] + p[3], inside_q = q[2] + q[3];
+		const struct tile_vertex *p = corners[k], *q = corners[(k + 1) % 3];
+		float inside_p = p->clip[2] + p->clip[3], inside_q = q->clip[2] + q->clip[3];
 		if (inside_p >= 0.0f)
-			clipped[count++] = corner_of(fill, p);
+			clipped[count++] = p->point;
 		if ((inside_p >= 0.0f) == (inside_q >= 0.0f))
 			continue;
 		vec4 cut;
-		glm_vec4_lerp(p, q, inside_p / (inside_p - inside_q), cut);
-		clipped[count++] = corner_of(fill, cut);
+		glm_vec4_lerp(
+			(float *)p->clip, (float *)q->clip, inside_p / (inside_p - inside_q), cut);
+		clipped[count++] = point_of(fill, cut);
 	}
 	return count;
 }
 
 /* Without a plane where the first three corners hardly span one. */
-static bool find_plane(const struct corner *corners, struct plane *plane)
+static bool find_plane(const struct tile_point *corners, struct plane *plane)
 {
 	double ux = (double)corners[1].x - corners[0].x, uy = (double)corners[1].y - corners[0].y;
 	double vx = (double)corners[2].x - corners[0].x, vy = (double)corners[2].y - corners[0].y;
@@ -141,10 +170,10 @@ static bool find_plane(const struct corner *corners, struct plane *plane)
 }
 
 /* Widens [*low, *high] to the x of the part of a side that is between y = bottom and y = top. */
-static void widen_by_side(const struct corner *a, const struct corner *b, float bottom, float top,
-	float *low, float *high)
+static void widen_by_side(const struct tile_point *a, const struct tile_point *b, float bottom,
+	float top, float *low, float *high)
 {
-	const struct corner *lower = a->y < b->y ? a : b, *upper = lower == a ? b : a;
+	const struct tile_point *lower = a->y < b->y ? a : b, *upper = lower == a ? b : a;
 	if (lower->y > top || upper->y < bottom)
 		return;
 	float rise = upper->y - lower->y, run = upper->x - lower->x;
@@ -157,8 +186,8 @@ static void widen_by_side(const struct corner *a, const struct corner *b, float 
 	*high = larger(larger(from, to), *high);
 }
 
-static void fill_polygon_row(const struct tile_fill *fill, const struct corner *corners, int count,
-	int row, const struct plane *plane, float deepest)
+static void fill_polygon_row(const struct tile_fill *fill, const struct tile_point *corners,
+	int count, int row, const struct plane *plane, float deepest)
 {
 	float low = INFINITY, high = -INFINITY;
 	float bottom = (float)row - fill->margin, top = (float)(row + 1) + fill->margin;
@@ -180,13 +209,13 @@ static void fill_polygon_row(const struct tile_fill *fill, const struct corner *
 		raise_to(&values[x], smaller(deepest, depth + plane->dx * ((float)x + 0.5f)));
 }
 
-void tile_fill_triangle(const struct tile_fill *fill, vec4 corners[3])
+void tile_fill_triangle(const struct tile_fill *fill, const struct tile_vertex *const corners[3])
 {
-	struct corner clipped[CORNERS_MAX];
+	struct tile_point clipped[CORNERS_MAX];
 	int count = clip_near(fill, corners, clipped);
 	if (count == 0)
 		return;
-	struct corner low = no_corner[0], high = no_corner[1];
+	struct tile_point low = no_corner[0], high = no_corner[1];
 	for (int k = 0; k < count; k++)
 		widen(&low, &high, &clipped[k]);
 	high.depth = smaller(high.depth, 1.0f);

@@ -14,11 +14,29 @@ struct tile_fill {
 	float margin; /* tiles that all is grown by */
 };
 
-/** corners: clip space. */
-void tile_fill_triangle(const struct tile_fill *fill, vec4 corners[3]);
+/** Tiles and window depth. */
+struct tile_point {
+	float x, y, depth;
+};
+
+/** A vertex of triangles. */
+struct tile_vertex {
+	vec4 clip;               /* clip space */
+	struct tile_point point; /* while it is beyond the near plane */
+};
+
+/** position: object space. */
+struct tile_vertex tile_vertex_of(
+	const struct tile_fill *fill, mat4 to_clip, const float position[3]);
+
+void tile_fill_triangle(const struct tile_fill *fill, const struct tile_vertex *const corners[3]);
 
 /** A box of object space. */
 void tile_fill_box(
+	const struct tile_fill *fill, mat4 to_clip, const float min[3], const float max[3]);
+
+/** Whether to fill anything within the box would change nothing. */
+bool tile_fill_has_box(
 	const struct tile_fill *fill, mat4 to_clip, const float min[3], const float max[3]);
 
 #endif
