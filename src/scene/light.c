@@ -289,6 +289,62 @@ void light_frame_init(
 		frame->world_to_light[column][2] *= -1.0f;
 }
 
+/* Widens *slope to that of the ray to the farthest corner of a box from the axis, and *nearest to
+ * that of the nearest. False where one is beside the light or behind it. */
+static bool widen_slope(const struct object *object, mat4 view, float *slope, float *nearest)
+{
+	for (int i = 0; i < 8; i++) {
+		vec3 p = {i & 1 ? object->max[0] : object->min[0],
+			i & 2 ? object->max[1] : object->min[1],
+			i & 4 ? object->max[2] : object->min[2]};
+		glm_mat4_mulv3(view, p, 1.0f, p);
+		if (!(p[2] < 0.0f))
+			return false;
+		*slope = fmaxf(*slope, fmaxf(fabsf(p[0]), fabsf(p[1])) / -p[2]);
+		*nearest = fminf(*nearest, -p[2]);
+	}
+	return true;
+}
+
+/* The slope of a ray to the axis that no penumbra of a caster lies beyond; INFINITY where casters
+ * are so near that nothing is. A ray from the rim of the disc by a blocker at b meets a receiver
+ * R (1/b - 1/r) from where one from its middle does, and by the slants of both farther. */
+static float shadowed_slope(
+	const struct sm_light_desc *light, const struct sm_scene *scene, float screen)
+{
+	mat4 view;
+	float slope = 0.0f, nearest = FLT_MAX;
+	light_view(light, view);
+	for (size_t i = 0; i < scene->object_count; i++)
+		if (scene->objects[i].casts &&
+			!widen_slope(&scene->objects[i], view, &slope, &nearest))
+			return INFINITY;
+	/* The disc is turned by no more than the corner of the screen is off the axis. */
+	float slant = sqrtf(1.0f + 2.0f * screen * screen);
+	float turned = light->radius / nearest;
+	if (!(turned < 0.5f))
+		return INFINITY;
+	float spread = light->radius * (1.0f / nearest) * slant / (1.0f - turned);
+	return (slope + spread) * 1.01f;
+}
+
+/* Narrower screens would be all of one shadow's edge. */
+#define NARROWED_MIN (1.0f / 64.0f)
+
+void light_frame_fit(
+	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene)
+{
+	struct sm_light_desc fitted = *light;
+	if (light->type == SM_LIGHT_SPOT && light->radius > 0.0f) {
+		float screen = tanf(glm_rad(light->angle) / 2.0f);
+		float slope = shadowed_slope(light, scene, screen);
+		slope = fmaxf(slope, screen * NARROWED_MIN);
+		if (slope < screen)
+			fitted.angle = 2.0f * glm_deg(atanf(slope));
+	}
+	light_frame_init(frame, &fitted, scene);
+}
+
 /* SLOPE_MAX times the width of a texel there. For a spot the width grows with the distance, and
  * window depth flattens with its square. */
 void light_frame_bias_limit(const struct light_frame *frame, float size, float limit[2])

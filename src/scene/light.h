@@ -35,6 +35,11 @@ struct light_frame {
 void light_frame_init(
 	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene);
 
+/** The same for one to which nothing beside its screen is in shadow: that of a spot with a radius
+ * is narrowed, about its axis, to its casters and what their penumbrae reach. */
+void light_frame_fit(
+	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene);
+
 /** How far from a surface, in texels, the nearest texel of a map lies, and the four nearest: half a
  *  texel and one; a twentieth more for vertices that the rasteriser snapped to its grid. */
 #define LOOKUP_REACH_NEAREST 0.55f

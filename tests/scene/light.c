@@ -305,6 +305,92 @@ static void the_axis_is_as_exact_anywhere(void **state)
 	sm_scene_destroy(scene);
 }
 
+/* Where a ray from the light's disc, at an angle of its rim, meets a receiver behind a caster's
+ * corner: `share` of the way from the corner to four times its distance. */
+static void shadow_point(const struct sm_light_desc *light, const double corner[3], double angle,
+	double share, double point[3])
+{
+	/* The disc faces the corner. */
+	double axis[3], side[3], up[3], length = 0, width = 0;
+	for (int k = 0; k < 3; k++)
+		axis[k] = corner[k] - light->position[k];
+	for (int k = 0; k < 3; k++)
+		length += axis[k] * axis[k];
+	const double not_along[3] = {1, 0, 0};
+	for (int k = 0; k < 3; k++)
+		side[k] = axis[(k + 1) % 3] * not_along[(k + 2) % 3] -
+			  axis[(k + 2) % 3] * not_along[(k + 1) % 3];
+	for (int k = 0; k < 3; k++)
+		width += side[k] * side[k];
+	for (int k = 0; k < 3; k++)
+		up[k] = (axis[(k + 1) % 3] * side[(k + 2) % 3] -
+				axis[(k + 2) % 3] * side[(k + 1) % 3]) /
+			sqrt(length * width);
+	for (int k = 0; k < 3; k++) {
+		double rim = light->position[k] +
+			     (double)light->radius *
+				     (cos(angle) * side[k] / sqrt(width) + sin(angle) * up[k]);
+		point[k] = corner[k] + 3.0 * share * (corner[k] - rim);
+	}
+}
+
+static void a_fitted_screen_holds_all_shadows(void **state)
+{
+	(void)state;
+	static const float radii[] = {0.01f, 0.3f, 1.0f};
+	for (size_t i = 0; i < 3 * 5; i++) {
+		struct sm_scene *scene = sm_scene_create();
+		assert_non_null(scene);
+		add_cube(scene, true, 0.3f, (const float[]){0.2f * (float)(i / 3), 1, -0.4f});
+		add_cube(scene, true, 0.2f, (const float[]){-0.3f, 2.5f, 0.1f * (float)(i / 3)});
+		add_cube(scene, false, 9, (const float[]){0, -9, 0});
+		struct sm_light_desc light = light_at(SM_LIGHT_SPOT, 1, 7, 0.5f);
+		light.radius = radii[i % 3];
+		light.angle = 80;
+		struct light_frame whole, fitted;
+		light_frame_init(&whole, &light, scene);
+		light_frame_fit(&fitted, &light, scene);
+		assert_true(fitted.half_extent <= whole.half_extent * (i % 3 == 0 ? 0.7f : 1.0f));
+		for (int k = 0; k < 2 * 8 * 16 * 5; k++) {
+			const struct object *object = &scene->objects[k / 640];
+			double corner[3], point[3], clip[4];
+			for (int axis = 0; axis < 3; axis++)
+				corner[axis] =
+					k / 80 >> axis & 1 ? object->max[axis] : object->min[axis];
+			shadow_point(&light, corner, k % 16 * 0.3927, k / 16 % 5 / 4.0, point);
+			project(&fitted, point, clip);
+			assert_true(fabs(clip[0]) <= clip[3] && fabs(clip[1]) <= clip[3]);
+		}
+		sm_scene_destroy(scene);
+	}
+}
+
+static void what_cannot_be_fitted_is_left_as_it_is(void **state)
+{
+	(void)state;
+	static const struct {
+		enum sm_light_type type;
+		float radius, height;
+	} rows[] = {
+		{SM_LIGHT_DIRECTIONAL, 0.5f, 7},
+		{SM_LIGHT_SPOT, 0.0f, 7},    /* a point light has no penumbrae */
+		{SM_LIGHT_SPOT, 0.5f, 0.2f}, /* inside of the caster */
+		{SM_LIGHT_SPOT, 4.0f, 7},    /* wider than the caster is far */
+	};
+	for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+		struct sm_scene *scene = sm_scene_create();
+		assert_non_null(scene);
+		add_cube(scene, true, 0.3f, (const float[]){0, 0, 0});
+		struct sm_light_desc light = light_at(rows[i].type, 0, rows[i].height, 0.1f);
+		light.radius = rows[i].radius;
+		struct light_frame whole, fitted;
+		light_frame_init(&whole, &light, scene);
+		light_frame_fit(&fitted, &light, scene);
+		assert_memory_equal(&whole, &fitted, sizeof(whole));
+		sm_scene_destroy(scene);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -316,6 +402,8 @@ int main(void)
 		cmocka_unit_test(the_origin_is_a_position_or_a_direction),
 		cmocka_unit_test(a_wide_floor_leaves_a_directional_light_its_screen),
 		cmocka_unit_test(the_axis_is_as_exact_anywhere),
+		cmocka_unit_test(a_fitted_screen_holds_all_shadows),
+		cmocka_unit_test(what_cannot_be_fitted_is_left_as_it_is),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
