@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/edge_grid.h"
 #include "base/array.h"
+#include "scene/edge_merge.h"
 #include "scene/edge_winding.h"
 #include <assert.h>
 #include <stdlib.h>
@@ -51,6 +52,23 @@ static bool add_objects(struct edge_grid *grid, const struct sm_scene *scene,
 	return add_receivers(grid, scene, frame, false) && add_receivers(grid, scene, frame, true);
 }
 
+/* Depths of merged edges are as near to what they were, at most: a receiver is before or behind. */
+#define MERGED_DEPTH 2e-4f
+
+/* A penumbra is moved no farther by an edge's depth than by its place. */
+static void merge_edges(struct edge_grid *grid, const struct light_frame *frame,
+	const struct edge_grid_options *options)
+{
+	float width = disc_scale(frame) * (float)options->map_size;
+	const struct edge_tolerance tolerance = {
+		.steps = options->merge * (float)(1u << options->subpixel_bits),
+		.depth = fminf(MERGED_DEPTH, options->merge / fmaxf(width, FLT_MIN)),
+		.texel = 1u << options->subpixel_bits,
+	};
+	if (options->merge > 0.0f)
+		edge_merge(&grid->chains, &tolerance);
+}
+
 /* With as many tiles as leave the lists short enough. */
 static bool make_lists(struct edge_grid *grid, const struct light_frame *frame,
 	const struct edge_grid_options *options, float step)
@@ -95,8 +113,10 @@ bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 	assert(options->tiles >= TILES_MIN && options->tiles <= EDGE_GRID_TILES_MAX &&
 		(options->tiles & (options->tiles - 1)) == 0 && options->vertices_max < 1 << 24);
 	uint32_t screen = options->map_size << options->subpixel_bits;
-	if (!add_objects(grid, scene, frame, options) ||
-		!make_lists(grid, frame, options, 1.0f / (float)screen))
+	if (!add_objects(grid, scene, frame, options))
+		return false;
+	merge_edges(grid, frame, options);
+	if (!make_lists(grid, frame, options, 1.0f / (float)screen))
 		return false;
 	grid->tiles = grid->depths.tiles;
 	size_t tiles = (size_t)grid->tiles * grid->tiles;
