@@ -10,6 +10,7 @@
 #define ROUNDS 25
 #define MAP_SIZE 512
 #define VERTICES_MAX 150000
+#define MERGE 0.125f
 
 /* What one search takes, and what it finds. */
 struct measurement {
@@ -54,7 +55,7 @@ static bool find_chains(struct edge_chains *chains, const struct sm_scene *scene
 static bool measure(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, uint32_t tiles, struct measurement *found)
 {
-	const struct edge_grid_options options = {tiles, MAP_SIZE, 8, VERTICES_MAX, 0.0f};
+	const struct edge_grid_options options = {tiles, MAP_SIZE, 8, VERTICES_MAX, MERGE};
 	double chains[ROUNDS], all[ROUNDS];
 	for (int round = 0; round < ROUNDS; round++) {
 		double start = processor_ms();
@@ -83,7 +84,7 @@ static bool run(const char *source, float radius, uint32_t tiles)
 	}
 	struct sm_light_desc light = stage.scene->lights[0].desc;
 	light.radius = radius * glm_vec3_distance(light.position, light.target);
-	light_frame_init(&frame, &light, stage.scene);
+	light_frame_fit(&frame, &light, stage.scene);
 	bool done = measure(&grid, stage.scene, &frame, tiles, &found);
 	if (done)
 		printf("%-24s %4.2f %7zu %5u %8zu %8zu %6.1f %8.3f %8.3f %7.0f\n", source,
