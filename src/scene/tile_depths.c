@@ -17,6 +17,7 @@ static void forget_meshes(struct tile_depths *depths)
 		free(depths->meshes[i].casting);
 	}
 	depths->mesh_count = 0;
+	depths->cluster_count = 0;
 }
 
 /* Meshes are never taken from a scene, nor changed. */
@@ -59,7 +60,8 @@ struct triangles {
 };
 
 /* Sets *clusters to the triangles' boxes unless it has them. */
-static bool have_clusters(struct cluster **clusters, const struct triangles *triangles)
+static bool have_clusters(
+	struct tile_depths *depths, struct cluster **clusters, const struct triangles *triangles)
 {
 	if (*clusters != NULL)
 		return true;
@@ -67,6 +69,7 @@ static bool have_clusters(struct cluster **clusters, const struct triangles *tri
 	if (*clusters == NULL)
 		return false;
 	clusters_find(triangles->positions, triangles->indices, triangles->count, *clusters);
+	depths->cluster_count += clusters_count(triangles->count);
 	return true;
 }
 
@@ -123,7 +126,7 @@ bool tile_depths_add_receiver(struct tile_depths *depths, const struct sm_scene 
 		fill_few(&fill, &triangles, to_clip, NULL);
 		return true;
 	}
-	if (!have_clusters(clusters, &triangles))
+	if (!have_clusters(depths, clusters, &triangles))
 		return false;
 	for (size_t i = 0; i < clusters_count(triangles.count); i++)
 		tile_fill_box(&fill, to_clip, (*clusters)[i].min, (*clusters)[i].max);
@@ -143,7 +146,7 @@ bool tile_depths_add_caster(struct tile_depths *depths, const struct sm_scene *s
 		fill_few(&fill, &triangles, to_clip, view);
 		return true;
 	}
-	if (!have_clusters(clusters, &triangles))
+	if (!have_clusters(depths, clusters, &triangles))
 		return false;
 	for (size_t i = 0; i < clusters_count(triangles.count); i++)
 		if (has_sheets(view, i * CLUSTER_TRIANGLES))
@@ -184,5 +187,6 @@ void tile_depths_finish(struct tile_depths *depths)
 size_t tile_depths_bytes(const struct tile_depths *depths)
 {
 	return (depths->deepest_capacity + depths->farthest_capacity) * sizeof(float) +
-	       depths->mesh_capacity * sizeof(*depths->meshes);
+	       depths->mesh_capacity * sizeof(*depths->meshes) +
+	       depths->cluster_count * sizeof(struct cluster);
 }

@@ -24,6 +24,7 @@ struct tile_depths {
 	struct mesh_clusters *meshes;
 	size_t mesh_count; /* with an entry there, of the scene of this id */
 	uint64_t scene_id;
+	size_t cluster_count; /* of all meshes */
 	size_t deepest_capacity, farthest_capacity, mesh_capacity;
 };
 
