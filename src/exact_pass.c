@@ -9,7 +9,8 @@
 struct exact {
 	struct exact_scene scene;
 	const struct number_model *number;
-	uint32_t number_flag, map_size;
+	uint64_t number_flag;
+	uint32_t map_size;
 	float width;
 	bool sinusoid;
 	struct primitives blockers, fins, surfaces;
@@ -135,7 +136,7 @@ static bool draw_maps(struct exact *exact, struct gpu *gpu, struct sm_error *err
 
 /* What was uploaded, in one of the two passes. */
 static bool draw_fins(struct exact *exact, struct gpu *gpu, const struct picture *picture,
-	uint32_t flags, struct sm_error *error)
+	uint64_t flags, struct sm_error *error)
 {
 	struct program_key key = {.kind = PROGRAM_EXACT_FIN, .flags = exact->number_flag | flags};
 	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
@@ -150,8 +151,8 @@ static bool draw_fins(struct exact *exact, struct gpu *gpu, const struct picture
 static bool draw_smoothies(struct exact *exact, struct gpu *gpu, struct sm_error *error)
 {
 	const struct fixed_fins *fins = &exact->scene.fixed.fins;
-	uint32_t both = exact->scene.fixed.receivers_only.count > 0 ? FLAG_RECEIVER_MAP : 0;
-	uint32_t shape = exact->sinusoid ? FLAG_SINUSOID : 0;
+	uint64_t both = exact->scene.fixed.receivers_only.count > 0 ? FLAG_RECEIVER_MAP : 0;
+	uint64_t shape = exact->sinusoid ? FLAG_SINUSOID : 0;
 	clear(&exact->least, &gpu->gl, 0); /* not read where there is no depth */
 	clear(&exact->nearest, &gpu->gl, CLEAR_DEPTH);
 	gpu_bind_texture(gpu, UNIT_DEPTH, exact->casters.color);
@@ -253,7 +254,7 @@ static bool show(const void *state, struct gpu *gpu, struct sm_error *error)
 	return true;
 }
 
-static uint32_t surface_flags(const void *state)
+static uint64_t surface_flags(const void *state)
 {
 	(void)state;
 	return FLAG_SEEN;

@@ -8,7 +8,7 @@ static float encode_srgb(float c)
 	return c <= 0.0031308f ? 12.92f * c : 1.055f * powf(c, 1.0f / 2.4f) - 0.055f;
 }
 
-static void clear(struct gl *gl, const struct sm_scene *scene, uint32_t flags)
+static void clear(struct gl *gl, const struct sm_scene *scene, uint64_t flags)
 {
 	GLfloat color[4] = {1.0f, 1.0f, 1.0f, 1.0f};
 	for (int i = 0; i < 3 && !(flags & FLAG_VISIBILITY); i++) {

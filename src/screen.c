@@ -41,9 +41,9 @@ static bool check_screen(
 	       error_set(error, SM_ERROR_INPUT, "no texture with a picture for the screen");
 }
 
-static uint32_t flags_of(int way, const uint8_t bits[3])
+static uint64_t flags_of(int way, const uint8_t bits[3])
 {
-	uint32_t flags = bits[0] < 8 ? FLAG_DITHER : bits[0] > 8 ? FLAG_WIDEN : 0;
+	uint64_t flags = bits[0] < 8 ? FLAG_DITHER : bits[0] > 8 ? FLAG_WIDEN : 0;
 	return way == COPY_STORED ? flags | FLAG_STORED : flags;
 }
 

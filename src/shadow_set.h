@@ -7,7 +7,7 @@
 /** One technique's states, a light each, made when first needed. */
 struct shadow_set {
 	const struct technique *technique;
-	uint32_t map_flags; /* of PROGRAM_SURFACE, where the shadow map alone will do */
+	uint64_t map_flags; /* of PROGRAM_SURFACE, where the shadow map alone will do */
 	struct sm_shadow_options options; /* complete; .technique is not used */
 	void **states;                    /* owned */
 	size_t count, capacity;

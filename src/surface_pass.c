@@ -80,10 +80,10 @@ static void set_object(
 }
 
 /* Flags of the pass for one object, as the technique draws it where it does all it can. */
-static uint32_t object_flags(const struct surface_pass *pass, const struct object *object)
+static uint64_t object_flags(const struct surface_pass *pass, const struct object *object)
 {
 	const struct technique *technique = pass->renderer->shadows.technique;
-	uint32_t flags = pass->flags;
+	uint64_t flags = pass->flags;
 	if (object->image != SM_NONE && !(flags & FLAG_VISIBILITY))
 		flags |= FLAG_TEXTURED;
 	if (pass->light != NULL)
@@ -94,7 +94,7 @@ static uint32_t object_flags(const struct surface_pass *pass, const struct objec
 }
 
 /* Puts the program in use, and sets what is common to the pass unless it was used just before. */
-static bool use_program(struct surface_pass *pass, uint32_t flags, struct sm_error *error)
+static bool use_program(struct surface_pass *pass, uint64_t flags, struct sm_error *error)
 {
 	struct gpu *gpu = &pass->renderer->gpu;
 	if (pass->program != NULL && pass->program->key.flags == flags)
@@ -219,14 +219,14 @@ static bool is_large(
 }
 
 /* The flags that a need takes: those of all, less what can be left out. */
-static uint32_t flags_of(const struct surface_pass *pass, uint32_t all, enum need need)
+static uint64_t flags_of(const struct surface_pass *pass, uint64_t all, enum need need)
 {
 	const struct technique *technique = pass->renderer->shadows.technique;
-	uint32_t lit = all & ~(FLAG_SHADOWED | technique->surface_flags(pass->shadow));
+	uint64_t lit = all & ~(FLAG_SHADOWED | technique->surface_flags(pass->shadow));
 	switch (need) {
 	case NEED_AMBIENT:
 		/* Visibility tells the sides of a surface apart wherever it is. */
-		return all & FLAG_VISIBILITY ? lit : lit & ~(uint32_t)FLAG_LIT;
+		return all & FLAG_VISIBILITY ? lit : lit & ~FLAG_LIT;
 	case NEED_LIGHT:
 		return lit;
 	case NEED_MAP:
@@ -257,7 +257,7 @@ static bool cut_to_tiles(
 
 /* Draws an object that a shadow may fall on, each part with no more than it needs: that is the same
  * there and costs less. */
-static bool draw_in_parts(struct surface_pass *pass, const struct object *object, uint32_t flags,
+static bool draw_in_parts(struct surface_pass *pass, const struct object *object, uint64_t flags,
 	struct sm_error *error)
 {
 	struct sm_renderer *renderer = pass->renderer;
@@ -294,7 +294,7 @@ static bool draw_object(
 {
 	struct gpu *gpu = &pass->renderer->gpu;
 	const struct gpu_mesh *mesh = &gpu->scene.meshes[object->mesh];
-	uint32_t flags = object_flags(pass, object);
+	uint64_t flags = object_flags(pass, object);
 	if (flags & FLAG_SHADOWED && has_parts(pass->renderer))
 		return draw_in_parts(pass, object, flags, error);
 	if (!use_program(pass, flags, error))

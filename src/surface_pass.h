@@ -16,7 +16,7 @@ struct surface_pass {
 	const struct light_frame *frame;   /* of the light */
 	const void *shadow;                /* state of the technique, for the light */
 	bool first;
-	uint32_t flags;                /* for all surfaces: VISIBILITY, ENCODE_SRGB */
+	uint64_t flags;                /* for all surfaces: VISIBILITY, ENCODE_SRGB */
 	const struct program *program; /* in use; of the pass itself */
 	struct need_map need_map;      /* of the light; likewise */
 };

@@ -31,7 +31,7 @@ static int write_stage(const char *folder, struct program_key key, enum shader_s
 /* All sets of the flags that mean something to the kind. */
 static int write_kind(const char *folder, enum program_kind kind)
 {
-	uint32_t all = program_kind_flags(kind), flags = 0;
+	uint64_t all = program_kind_flags(kind), flags = 0;
 	do {
 		struct program_key key = {.kind = kind, .flags = flags};
 		if (program_key_is_valid(key) && (write_stage(folder, key, STAGE_VERTEX) ||

@@ -40,7 +40,7 @@ struct color_probe {
 	GLenum format;
 	int channels;
 	float step;     /* of the format, around these values */
-	uint32_t flags; /* of PROGRAM_PROBE_DRAW */
+	uint64_t flags; /* of PROGRAM_PROBE_DRAW */
 	bool blended, filtered;
 	const float *wanted; /* on the right */
 };
@@ -118,7 +118,7 @@ static const struct target_area right = {1, 0, 1, SIDE}, lower_right = {1, 0, 1,
 
 /* Draws the first value over all, and the second in an area. depth_range: of the two; NULL: all. */
 static const char *draw_values(
-	struct gpu *gpu, uint32_t flags, const float *depth_range, struct target_area area)
+	struct gpu *gpu, uint64_t flags, const float *depth_range, struct target_area area)
 {
 	struct gl *gl = &gpu->gl;
 	struct program_key key = {PROGRAM_PROBE_DRAW, flags};

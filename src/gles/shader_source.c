@@ -5,7 +5,7 @@
 #include <string.h>
 
 static const struct {
-	uint32_t flag;
+	uint64_t flag;
 	const char *name, *define;
 } flag_names[] = {
 #define FLAG(name)                                        \
@@ -66,12 +66,12 @@ static const struct {
  * that it is the other choice of. */
 struct part {
 	const char *file;
-	uint32_t flags, without;
+	uint64_t flags, without;
 };
 
 static const struct {
 	const char *name;
-	uint32_t flags; /* that mean something */
+	uint64_t flags; /* that mean something */
 	struct part parts[2][20];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
@@ -234,12 +234,12 @@ static const struct {
 		},
 };
 
-static bool implies(uint32_t flags, uint32_t flag, uint32_t needed)
+static bool implies(uint64_t flags, uint64_t flag, uint64_t needed)
 {
 	return !(flags & flag) || (flags & needed) == needed;
 }
 
-static int count_bits(uint32_t bits)
+static int count_bits(uint64_t bits)
 {
 	int count = 0;
 	for (; bits != 0; bits &= bits - 1)
@@ -247,19 +247,19 @@ static int count_bits(uint32_t bits)
 	return count;
 }
 
-static bool excludes(uint32_t flags, uint32_t flag, uint32_t other)
+static bool excludes(uint64_t flags, uint64_t flag, uint64_t other)
 {
 	return !(flags & flag) || !(flags & other);
 }
 
 /* Whether surfaces with these flags read depths without comparing. */
-static bool reads_plainly(uint32_t flags)
+static bool reads_plainly(uint64_t flags)
 {
 	return flags & FLAG_PCSS || (flags & TAP_FLAGS && !(flags & FLAG_GATHER)) ||
 	       (flags & COMPARE_FLAGS && flags & FLAG_FOUR_FETCHES);
 }
 
-static bool surface_is_valid(uint32_t flags)
+static bool surface_is_valid(uint64_t flags)
 {
 	return count_bits(flags & SHADOW_FLAGS) == (flags & FLAG_SHADOWED ? 1 : 0) &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
@@ -275,7 +275,7 @@ static bool surface_is_valid(uint32_t flags)
 
 bool program_key_is_valid(struct program_key key)
 {
-	uint32_t flags = key.flags;
+	uint64_t flags = key.flags;
 	if (flags & ~programs[key.kind].flags ||
 		count_bits(flags & (FLAG_DEPTH_FLOAT | PLAIN_FLAGS)) > 1)
 		return false;
@@ -297,7 +297,7 @@ bool program_key_is_valid(struct program_key key)
 	}
 }
 
-uint32_t program_kind_flags(enum program_kind kind)
+uint64_t program_kind_flags(enum program_kind kind)
 {
 	return programs[kind].flags;
 }

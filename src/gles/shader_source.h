@@ -31,46 +31,44 @@ enum program_kind {
 
 /** What a variant switches on: each bit is a #define of the name behind it (flag_names in
  *  shader_source.c). */
-enum program_flag {
-	FLAG_SINUSOID = 1 << 0,
-	FLAG_DEPTH_ONLY = 1 << 1,
-	FLAG_RECEIVER_MAP = 1 << 2,
-	FLAG_LIT = 1 << 3,
-	FLAG_SHADOWED = 1 << 4,
-	FLAG_HARD = 1 << 5,
-	FLAG_SMOOTHIE = 1 << 6,
-	FLAG_SEPARATE_DEPTH = 1 << 7,
-	FLAG_GATHER = 1 << 8,
-	FLAG_TEXTURED = 1 << 9,
-	FLAG_VISIBILITY = 1 << 10,
-	FLAG_ENCODE_SRGB = 1 << 11,
-	FLAG_DITHER = 1 << 12,
-	FLAG_WIDEN = 1 << 13,
-	FLAG_STORED = 1 << 14,
-	FLAG_TWO_SIDED = 1 << 15,
-	FLAG_CONE = 1 << 16,
-	FLAG_BICUBIC = 1 << 17,
-	FLAG_PCSS = 1 << 18,
-	FLAG_MAPS = 1 << 19,
-	FLAG_VSM = 1 << 20,
-	FLAG_FOUR_FETCHES = 1 << 21,
-	FLAG_FROM_DEPTH = 1 << 22,
-	FLAG_ALPHA_DEPTH = 1 << 23,
-	FLAG_FETCH = 1 << 24,
-	FLAG_DEPTH_FLOAT = 1 << 25,
-	FLAG_DEPTH_HALF = 1 << 26,
-	FLAG_DEPTH_PACKED = 1 << 27,
-	FLAG_SPLIT = 1 << 28,
-	FLAG_FIXED12 = 1 << 29,
-	FLAG_SEEN = 1 << 30,
-};
+#define FLAG_SINUSOID (UINT64_C(1) << 0)
+#define FLAG_DEPTH_ONLY (UINT64_C(1) << 1)
+#define FLAG_RECEIVER_MAP (UINT64_C(1) << 2)
+#define FLAG_LIT (UINT64_C(1) << 3)
+#define FLAG_SHADOWED (UINT64_C(1) << 4)
+#define FLAG_HARD (UINT64_C(1) << 5)
+#define FLAG_SMOOTHIE (UINT64_C(1) << 6)
+#define FLAG_SEPARATE_DEPTH (UINT64_C(1) << 7)
+#define FLAG_GATHER (UINT64_C(1) << 8)
+#define FLAG_TEXTURED (UINT64_C(1) << 9)
+#define FLAG_VISIBILITY (UINT64_C(1) << 10)
+#define FLAG_ENCODE_SRGB (UINT64_C(1) << 11)
+#define FLAG_DITHER (UINT64_C(1) << 12)
+#define FLAG_WIDEN (UINT64_C(1) << 13)
+#define FLAG_STORED (UINT64_C(1) << 14)
+#define FLAG_TWO_SIDED (UINT64_C(1) << 15)
+#define FLAG_CONE (UINT64_C(1) << 16)
+#define FLAG_BICUBIC (UINT64_C(1) << 17)
+#define FLAG_PCSS (UINT64_C(1) << 18)
+#define FLAG_MAPS (UINT64_C(1) << 19)
+#define FLAG_VSM (UINT64_C(1) << 20)
+#define FLAG_FOUR_FETCHES (UINT64_C(1) << 21)
+#define FLAG_FROM_DEPTH (UINT64_C(1) << 22)
+#define FLAG_ALPHA_DEPTH (UINT64_C(1) << 23)
+#define FLAG_FETCH (UINT64_C(1) << 24)
+#define FLAG_DEPTH_FLOAT (UINT64_C(1) << 25)
+#define FLAG_DEPTH_HALF (UINT64_C(1) << 26)
+#define FLAG_DEPTH_PACKED (UINT64_C(1) << 27)
+#define FLAG_SPLIT (UINT64_C(1) << 28)
+#define FLAG_FIXED12 (UINT64_C(1) << 29)
+#define FLAG_SEEN (UINT64_C(1) << 30)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT32_C(1) << 31)
+#define FLAG_END (UINT64_C(1) << 31)
 
 struct program_key {
 	enum program_kind kind;
-	uint32_t flags;
+	uint64_t flags;
 };
 
 enum shader_stage { STAGE_VERTEX, STAGE_FRAGMENT };
@@ -80,7 +78,7 @@ enum shader_stage { STAGE_VERTEX, STAGE_FRAGMENT };
 bool program_key_is_valid(struct program_key key);
 
 /** The flags that mean something to a kind of program. */
-uint32_t program_kind_flags(enum program_kind kind);
+uint64_t program_kind_flags(enum program_kind kind);
 
 #define SHADER_PARTS_MAX 32
 

@@ -20,7 +20,7 @@ GLuint depth_map_create_sampler(struct gpu *gpu, enum depth_map_filter filter)
 
 bool depth_ways_choose(struct depth_ways *ways, struct gpu *gpu, struct sm_error *error)
 {
-	static const uint32_t write[] = {
+	static const uint64_t write[] = {
 		[DEPTH_TEXTURE] = 0,
 		[DEPTH_R32F] = FLAG_DEPTH_FLOAT,
 		[DEPTH_R16F] = FLAG_DEPTH_HALF,
@@ -33,7 +33,7 @@ bool depth_ways_choose(struct depth_ways *ways, struct gpu *gpu, struct sm_error
 		return false;
 	*ways = (struct depth_ways){
 		.write = write[depth],
-		.plain = write[depth] & ~(uint32_t)FLAG_DEPTH_FLOAT,
+		.plain = write[depth] & ~FLAG_DEPTH_FLOAT,
 		.format = way_at(DRIVER_DEPTH, (size_t)depth)->format,
 		.compares_plainly = comparison == COMPARISON_FETCH,
 		.taps_plainly = taps == TAPS_FETCH,
@@ -134,7 +134,7 @@ static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
 }
 
 /* As to_plain() of common_plain_depth.glsl has these depths. */
-static void clear(struct gl *gl, float depth, uint32_t write)
+static void clear(struct gl *gl, float depth, uint64_t write)
 {
 	GLfloat color[4] = {write & FLAG_DEPTH_HALF ? 2.0f * depth - 1.0f : depth, 0, 0, 1};
 	if (write & FLAG_DEPTH_PACKED) {
@@ -150,7 +150,7 @@ static void clear(struct gl *gl, float depth, uint32_t write)
 }
 
 bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
-	enum depth_map_content content, uint32_t write, struct target_area area,
+	enum depth_map_content content, uint64_t write, struct target_area area,
 	struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;

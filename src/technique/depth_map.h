@@ -10,10 +10,10 @@ enum depth_map_filter { DEPTH_MAP_NEAREST, DEPTH_MAP_LINEAR };
 
 /** How a driver has shadow maps looked up: flags of the programs that do. */
 struct depth_ways {
-	uint32_t write;   /* of PROGRAM_DEPTH_MAP, for maps that are read without comparing */
-	uint32_t plain;   /* to read such a map */
-	uint32_t compare; /* to compare at four texels, blended */
-	uint32_t taps;    /* to look four texels up apart */
+	uint64_t write;   /* of PROGRAM_DEPTH_MAP, for maps that are read without comparing */
+	uint64_t plain;   /* to read such a map */
+	uint64_t compare; /* to compare at four texels, blended */
+	uint64_t taps;    /* to look four texels up apart */
 	GLenum format;    /* of a map that is read without comparing; 0: its depth texture */
 	bool compares_plainly, taps_plainly; /* reading without comparing */
 };
@@ -28,7 +28,7 @@ struct depth_map {
 		plain;  /* depths as colours, with the depth texture; zero: they are read there */
 	GLuint compare; /* sampler: LEQUAL */
 	enum depth_map_filter filter;
-	uint32_t write; /* flags of PROGRAM_DEPTH_MAP */
+	uint64_t write; /* flags of PROGRAM_DEPTH_MAP */
 };
 
 /** plain: whether it is read without comparing as well. */
@@ -75,7 +75,7 @@ GLuint depth_map_create_sampler(struct gpu *gpu, enum depth_map_filter filter);
 /** Clears the framebuffer that is bound, where nothing restricts that, and draws the objects into
  *  an area of it, restricted no more after that. write: flags of PROGRAM_DEPTH_MAP. */
 bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
-	enum depth_map_content content, uint32_t write, struct target_area area,
+	enum depth_map_content content, uint64_t write, struct target_area area,
 	struct sm_error *error);
 
 /** Sets the uniforms of shadow_receiver.glsl for maps of `texels` a side. */

@@ -25,7 +25,7 @@ static bool hard_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 	return depth_map_draw(&hard->map, gpu, scene, frame, DEPTH_OF_CASTERS, error);
 }
 
-static uint32_t hard_surface_flags(const void *state)
+static uint64_t hard_surface_flags(const void *state)
 {
 	(void)state;
 	return FLAG_HARD;

@@ -9,7 +9,7 @@ struct maps {
 	struct target plain; /* depths as colours, where they are read without comparing; or zero */
 	GLuint compare;      /* sampler: LEQUAL */
 	struct disc disc;
-	uint32_t write, surface_flags;
+	uint64_t write, surface_flags;
 };
 
 static bool maps_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
@@ -67,7 +67,7 @@ static bool maps_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 	return drawn;
 }
 
-static uint32_t maps_surface_flags(const void *state)
+static uint64_t maps_surface_flags(const void *state)
 {
 	const struct maps *maps = state;
 	return maps->surface_flags;

@@ -5,7 +5,7 @@
  * 7. */
 struct pcf {
 	struct depth_map map;
-	uint32_t surface_flags;
+	uint64_t surface_flags;
 };
 
 #define BICUBIC_SAMPLES 16
@@ -36,7 +36,7 @@ static bool pcf_prepare(void *state, struct gpu *gpu, const struct sm_scene *sce
 	return depth_map_draw(&pcf->map, gpu, scene, frame, DEPTH_OF_CASTERS, error);
 }
 
-static uint32_t pcf_surface_flags(const void *state)
+static uint64_t pcf_surface_flags(const void *state)
 {
 	const struct pcf *pcf = state;
 	return pcf->surface_flags;

@@ -6,7 +6,7 @@
 struct pcss {
 	struct depth_map map;
 	struct disc disc;
-	uint32_t surface_flags;
+	uint64_t surface_flags;
 };
 
 static bool pcss_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
@@ -34,7 +34,7 @@ static bool pcss_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 	return depth_map_draw(&pcss->map, gpu, scene, frame, DEPTH_OF_CASTERS, error);
 }
 
-static uint32_t pcss_surface_flags(const void *state)
+static uint64_t pcss_surface_flags(const void *state)
 {
 	const struct pcss *pcss = state;
 	return pcss->surface_flags;

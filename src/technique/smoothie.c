@@ -24,7 +24,7 @@ static void make_falloff(struct smoothie *smoothie, struct gl *gl)
 
 /* Takes the way that the driver has the minimum found in. */
 static bool choose_way(struct smoothie *smoothie, struct gpu *gpu,
-	const struct sm_shadow_options *options, uint32_t fin_flags, struct sm_error *error)
+	const struct sm_shadow_options *options, uint64_t fin_flags, struct sm_error *error)
 {
 	struct depth_ways ways;
 	smoothie->way = way_choose(gpu, DRIVER_SMOOTHIE, error);
@@ -48,7 +48,7 @@ static bool choose_way(struct smoothie *smoothie, struct gpu *gpu,
 }
 
 bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
-	const struct sm_shadow_options *options, const struct fin_shape *shape, uint32_t fin_flags,
+	const struct sm_shadow_options *options, const struct fin_shape *shape, uint64_t fin_flags,
 	struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
@@ -83,7 +83,7 @@ void smoothie_finish(void *state, struct gpu *gpu)
 }
 
 static bool draw_fins(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
-	uint32_t flags, struct sm_error *error)
+	uint64_t flags, struct sm_error *error)
 {
 	struct program_key key = {.kind = PROGRAM_FIN, .flags = flags};
 	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
@@ -96,7 +96,7 @@ static bool draw_fins(struct smoothie *smoothie, struct gpu *gpu, const struct l
 
 /* Draws fins into a cleared depth texture: the least is kept. */
 static bool draw_by_depth_test(struct smoothie *smoothie, struct gpu *gpu,
-	const struct light_frame *frame, const struct target *target, uint32_t flags,
+	const struct light_frame *frame, const struct target *target, uint64_t flags,
 	struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
@@ -111,7 +111,7 @@ static bool draw_by_depth_test(struct smoothie *smoothie, struct gpu *gpu,
 }
 
 static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
-	const struct light_frame *frame, uint32_t flags, struct sm_error *error)
+	const struct light_frame *frame, uint64_t flags, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	static const GLfloat lit[4] = {1.0f, 1.0f, 1.0f, 1.0f};
@@ -131,10 +131,10 @@ static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
 
 /* flags: of PROGRAM_FIN. */
 static bool draw_buffer(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
-	uint32_t flags, struct sm_error *error)
+	uint64_t flags, struct sm_error *error)
 {
-	uint32_t depth_flags = (flags & ~(uint32_t)FLAG_CONE) | FLAG_DEPTH_ONLY;
-	uint32_t alpha_flags = flags | smoothie->alpha_flags;
+	uint64_t depth_flags = (flags & ~FLAG_CONE) | FLAG_DEPTH_ONLY;
+	uint64_t alpha_flags = flags | smoothie->alpha_flags;
 	if (smoothie->two_passes &&
 		!draw_by_depth_test(smoothie, gpu, frame, &smoothie->depth, depth_flags, error))
 		return false;
@@ -148,7 +148,7 @@ bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct smoothie *smoothie = state;
-	uint32_t flags = smoothie->fin_flags;
+	uint64_t flags = smoothie->fin_flags;
 	GLsizei size = smoothie->casters.target.size;
 	if (!depth_map_draw(&smoothie->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
 		!fin_stream_update(
@@ -171,7 +171,7 @@ bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene
 	return drawn;
 }
 
-uint32_t smoothie_surface_flags(const void *state)
+uint64_t smoothie_surface_flags(const void *state)
 {
 	const struct smoothie *smoothie = state;
 	return smoothie->surface_flags;

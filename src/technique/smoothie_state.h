@@ -19,20 +19,20 @@ struct smoothie {
 	struct fin_shape shape;
 	int way; /* enum smoothie_way */
 	bool two_passes;
-	uint32_t fin_flags, surface_flags; /* of all programs of that kind */
-	uint32_t alpha_flags;              /* of the fins that alpha' is of */
+	uint64_t fin_flags, surface_flags; /* of all programs of that kind */
+	uint64_t alpha_flags;              /* of the fins that alpha' is of */
 };
 
 /** For a zeroed one. fin_flags: of PROGRAM_FIN, beside those that options ask for. */
 bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
-	const struct sm_shadow_options *options, const struct fin_shape *shape, uint32_t fin_flags,
+	const struct sm_shadow_options *options, const struct fin_shape *shape, uint64_t fin_flags,
 	struct sm_error *error);
 
 /* The functions of a technique whose state is a struct smoothie. */
 void smoothie_finish(void *state, struct gpu *gpu);
 bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error);
-uint32_t smoothie_surface_flags(const void *state);
+uint64_t smoothie_surface_flags(const void *state);
 const struct screen_grid *smoothie_soft_grid(const void *state);
 size_t smoothie_geometry_bytes(const void *state);
 void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,

@@ -12,7 +12,7 @@ struct two_sided {
 	struct target buffer;
 	struct target nearness; /* the buffer's depth attachment: 0 at an edge, 1 where no fin is */
 	struct fin_stream fins;
-	uint32_t surface_flags, plain_flags;
+	uint64_t surface_flags, plain_flags;
 };
 
 /* Each texel that a surface in the penumbra looks up, 1.42 texels off at most, knows the edge. */
@@ -64,7 +64,7 @@ static void clear_buffer(const struct two_sided *two_sided, struct gl *gl)
 }
 
 static bool draw_fins(struct two_sided *two_sided, struct gpu *gpu, const struct light_frame *frame,
-	uint32_t flags, struct sm_error *error)
+	uint64_t flags, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	struct program_key key = {.kind = PROGRAM_TWO_SIDED_FIN, .flags = flags};
@@ -88,7 +88,7 @@ static bool two_sided_prepare(void *state, struct gpu *gpu, const struct sm_scen
 {
 	struct two_sided *two_sided = state;
 	GLsizei size = two_sided->casters.target.size;
-	uint32_t flags = two_sided->plain_flags;
+	uint64_t flags = two_sided->plain_flags;
 	if (!depth_map_draw(&two_sided->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
 		!fin_stream_update(&two_sided->fins, gpu, scene, frame, &fin_shape, size, error))
 		return false;
@@ -108,7 +108,7 @@ static bool two_sided_prepare(void *state, struct gpu *gpu, const struct sm_scen
 	return drawn;
 }
 
-static uint32_t two_sided_surface_flags(const void *state)
+static uint64_t two_sided_surface_flags(const void *state)
 {
 	const struct two_sided *two_sided = state;
 	return two_sided->surface_flags;

@@ -48,7 +48,7 @@ struct technique {
 	 *  sm_view.visibility_of wants it. */
 	bool (*show)(const void *state, struct gpu *gpu, struct sm_error *error);
 	/** Flags of PROGRAM_SURFACE for surfaces that receive. */
-	uint32_t (*surface_flags)(const void *state);
+	uint64_t (*surface_flags)(const void *state);
 	/** Where on the light's screen surfaces may look otherwise than FLAG_HARD draws them, for
 	 *  which bind() serves as well; owned by the state. NULL: everywhere. */
 	const struct screen_grid *(*soft_grid)(const void *state);

@@ -9,7 +9,7 @@ struct vsm {
 	struct target moments;      /* blurred both ways */
 	GLint blur_radius;          /* texels */
 	float min_variance;
-	uint32_t surface_flags, blur_flags, plain_flags;
+	uint64_t surface_flags, blur_flags, plain_flags;
 };
 
 /* Of depths in [-1/2, 1/2]: a variance below these may be none, for their squares' rounding. */
@@ -63,7 +63,7 @@ static bool draw_receivers(struct vsm *vsm, struct gpu *gpu, const struct sm_sce
 }
 
 static bool blur(const struct vsm *vsm, struct gpu *gpu, const struct light_frame *frame,
-	GLuint from, const struct target *to, uint32_t flags, struct sm_error *error)
+	GLuint from, const struct target *to, uint64_t flags, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	struct program_key key = {.kind = PROGRAM_BLUR, .flags = flags | vsm->blur_flags};
@@ -88,7 +88,7 @@ static bool vsm_prepare(void *state, struct gpu *gpu, const struct sm_scene *sce
 	struct vsm *vsm = state;
 	if (!depth_map_draw(&vsm->map, gpu, scene, frame, DEPTH_OF_CASTERS, error))
 		return false;
-	uint32_t flags = FLAG_FROM_DEPTH | vsm->plain_flags;
+	uint64_t flags = FLAG_FROM_DEPTH | vsm->plain_flags;
 	if (depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
 		flags |= FLAG_RECEIVER_MAP;
 		if (!draw_receivers(vsm, gpu, scene, frame, error))
@@ -103,7 +103,7 @@ static bool vsm_prepare(void *state, struct gpu *gpu, const struct sm_scene *sce
 	return drawn;
 }
 
-static uint32_t vsm_surface_flags(const void *state)
+static uint64_t vsm_surface_flags(const void *state)
 {
 	const struct vsm *vsm = state;
 	return vsm->surface_flags;

@@ -9,7 +9,7 @@
 
 /* Flags as #defines, in shader source. */
 static const struct {
-	uint32_t flag;
+	uint64_t flag;
 	const char *name;
 } flags[] = {
 	{FLAG_SINUSOID, "SINUSOID"},
@@ -95,7 +95,7 @@ static void check_stage(struct program_key key, enum shader_stage stage)
 /* Checks both stages of every variant of a kind, and counts these. */
 static size_t check_kind(enum program_kind kind)
 {
-	uint32_t all = program_kind_flags(kind), bits = 0;
+	uint64_t all = program_kind_flags(kind), bits = 0;
 	size_t count = 0;
 	do {
 		struct program_key key = {.kind = kind, .flags = bits};
@@ -155,7 +155,7 @@ static void shadow_functions_come_with_the_flag_of_their_technique(void **state)
 {
 	(void)state;
 	static const struct {
-		uint32_t flags;
+		uint64_t flags;
 		bool receiver, smoothie;
 	} cases[] = {
 		{FLAG_LIT, false, false},
