@@ -153,11 +153,12 @@ size_t shadow_set_geometry_bytes(const struct shadow_set *set)
 	return bytes;
 }
 
-/* Of surfaces that the technique has drawn with its map alone; what it drew before has none. */
+/* Of surfaces that the technique has drawn with its map alone; what it drew before has none, and
+ * where it says that nothing is darkened there is none to look up. */
 static bool choose_map_flags(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)
 {
 	struct depth_ways ways;
-	if (set->technique->prepare == NULL)
+	if (set->technique->prepare == NULL || set->technique->soft_is_all)
 		return true;
 	if (!depth_ways_choose(&ways, gpu, error))
 		return false;

@@ -98,6 +98,11 @@ static void set_samplers(struct gl *gl, const struct program *program)
 	gl->Uniform1i(program->uniform.primitives, UNIT_PRIMITIVES);
 	gl->Uniform1i(program->uniform.visibility_map, UNIT_VISIBILITY);
 	gl->Uniform1i(program->uniform.visibility_depth, UNIT_VISIBILITY_DEPTH);
+	gl->Uniform1i(program->uniform.edge_tiles, UNIT_EDGE_TILES);
+	gl->Uniform1i(program->uniform.edge_map, UNIT_EDGES);
+	gl->Uniform1i(program->uniform.front_layer, UNIT_FRONT_LAYER);
+	gl->Uniform1i(program->uniform.second_layer, UNIT_SECOND_LAYER);
+	gl->Uniform1i(program->uniform.disc_masks, UNIT_DISC_MASKS);
 }
 
 /* From the caller's store if it can be. */

@@ -43,6 +43,8 @@ static const struct {
 	FLAG(SPLIT),
 	FLAG(FIXED12),
 	FLAG(SEEN),
+	FLAG(EDGES),
+	FLAG(PEEL),
 #undef FLAG
 };
 
@@ -52,7 +54,8 @@ static const struct {
 /* clang-format off */
 #define SHADOW_FLAGS \
 	(FLAG_HARD | FLAG_SMOOTHIE | FLAG_TWO_SIDED | \
-	FLAG_BICUBIC | FLAG_PCSS | FLAG_MAPS | FLAG_VSM | FLAG_SEEN)
+	FLAG_BICUBIC | FLAG_PCSS | FLAG_MAPS | FLAG_VSM | FLAG_SEEN | \
+	FLAG_EDGES)
 /* clang-format on */
 
 /* Those that look up four texels apart; or that compare at four, blended. */
@@ -72,7 +75,7 @@ struct part {
 static const struct {
 	const char *name;
 	uint64_t flags; /* that mean something */
-	struct part parts[2][20];
+	struct part parts[2][24];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -87,6 +90,17 @@ static const struct {
 							FLAG_DEPTH_FLOAT | PLAIN_FLAGS},
 						{"depth_map.frag"},
 					},
+				},
+		},
+	[PROGRAM_LAYER] =
+		{
+			.name = "layer",
+			.flags = FLAG_PEEL,
+			.parts =
+				{
+					{{"depth_map.vert"}},
+					{{"common_depth_step.glsl"}, {"gather_sheet.glsl"},
+						{"gather_layer.frag"}},
 				},
 		},
 	[PROGRAM_FIN] =
@@ -154,6 +168,9 @@ static const struct {
 						{"shadow_maps.glsl", FLAG_MAPS},
 						{"common_moments.glsl", FLAG_VSM},
 						{"shadow_vsm.glsl", FLAG_VSM},
+						{"gather_sheet.glsl", FLAG_EDGES},
+						{"gather_disc.glsl", FLAG_EDGES},
+						{"shadow_gather.glsl", FLAG_EDGES},
 						{"exact_seen.glsl", FLAG_SEEN},
 						{"shadow_seen.glsl", FLAG_SEEN},
 						{"surface.frag"},

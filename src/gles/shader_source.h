@@ -14,6 +14,7 @@ extern const struct shader_file shader_files[];
 
 enum program_kind {
 	PROGRAM_DEPTH_MAP,
+	PROGRAM_LAYER,
 	PROGRAM_FIN,
 	PROGRAM_BLUR,
 	PROGRAM_TWO_SIDED_FIN,
@@ -62,9 +63,11 @@ enum program_kind {
 #define FLAG_SPLIT (UINT64_C(1) << 28)
 #define FLAG_FIXED12 (UINT64_C(1) << 29)
 #define FLAG_SEEN (UINT64_C(1) << 30)
+#define FLAG_EDGES (UINT64_C(1) << 31)
+#define FLAG_PEEL (UINT64_C(1) << 32)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 31)
+#define FLAG_END (UINT64_C(1) << 33)
 
 struct program_key {
 	enum program_kind kind;

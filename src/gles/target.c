@@ -10,6 +10,7 @@ static uint64_t texel_bytes(GLenum internal_format)
 		return 2;
 	case GL_RGBA16F:
 	case GL_RG32F:
+	case GL_RG32UI:
 		return 8;
 	case GL_RGBA32I:
 	case GL_RGBA32UI:

@@ -11,6 +11,7 @@ static const struct technique *const techniques[] = {
 	&technique_pcss,
 	&technique_vsm,
 	&technique_maps,
+	&technique_gather,
 };
 
 const struct technique *technique_at(size_t index)

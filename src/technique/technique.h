@@ -52,6 +52,7 @@ struct technique {
 	/** Where on the light's screen surfaces may look otherwise than FLAG_HARD draws them, for
 	 *  which bind() serves as well; owned by the state. NULL: everywhere. */
 	const struct screen_grid *(*soft_grid)(const void *state);
+	bool soft_is_all; /* elsewhere nothing is darkened at all */
 	/** How far on the light's screen, NDC, from where it is a surface may be darkened by a
 	 *  caster, beyond the texels of a bilinear look-up. NULL: no farther. */
 	float (*reach)(const void *state, const struct light_frame *frame);
@@ -66,6 +67,7 @@ extern const struct technique technique_hard, technique_pcf, technique_smoothie;
 extern const struct technique technique_smoothie_two_sided;
 extern const struct technique technique_penumbra_map;
 extern const struct technique technique_pcss, technique_vsm, technique_maps;
+extern const struct technique technique_gather;
 
 /** NULL past the last one. */
 const struct technique *technique_at(size_t index);

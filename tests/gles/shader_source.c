@@ -43,6 +43,8 @@ static const struct {
 	{FLAG_SPLIT, "SPLIT"},
 	{FLAG_FIXED12, "FIXED12"},
 	{FLAG_SEEN, "SEEN"},
+	{FLAG_EDGES, "EDGES"},
+	{FLAG_PEEL, "PEEL"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -120,6 +122,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_PROBE_READ], 2);
 	/* No colours, or depths as floats of 32 or 16 bits, or as bytes. */
 	assert_int_equal(counts[PROGRAM_DEPTH_MAP], 4);
+	/* The front one, or what is behind it. */
+	assert_int_equal(counts[PROGRAM_LAYER], 2);
 	assert_int_equal(counts[PROGRAM_COPY], 1);
 	/* Fewer bits than 8, as many, or more; as stored, or decoded and encoded again. */
 	assert_int_equal(counts[PROGRAM_SCREEN], 3 * 2);
@@ -144,7 +148,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 			       taps +        /* bicubic */
 			       3 * plain +   /* pcss: plain depths, and one of three comparisons */
 			       comparison +  /* maps */
-			       2 * 2; /* variance maps, filtered or fetched, whole or split */
+			       2 * 2 + /* variance maps, filtered or fetched, whole or split */
+			       1;      /* gather */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
 	/* What was seen before has no picture of visibility. */
@@ -206,6 +211,8 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_DEPTH_MAP, FLAG_DEPTH_FLOAT | FLAG_DEPTH_HALF},
 		{PROGRAM_BLUR, FLAG_DEPTH_PACKED},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_VSM | FLAG_MAPS},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_EDGES | FLAG_GATHER},
+		{PROGRAM_DEPTH_MAP, FLAG_PEEL},
 		{PROGRAM_BLUR, FLAG_RECEIVER_MAP}, /* of what is blurred already */
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_TEXTURED},

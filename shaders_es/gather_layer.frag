@@ -1,0 +1,20 @@
+// A sheet of the casters, as the light sees it: its depth, and how that grows over a texel. With
+// PEEL the first one behind the front layer's.
+layout(location = 0) out uvec2 sheet;
+
+#ifdef PEEL
+uniform usampler2D front_layer;
+#endif
+
+void main()
+{
+	float depth = gl_FragCoord.z;
+	// Half floats: a sheet as steep as the depth range over a texel is as good as unseen.
+	vec2 slope = clamp(vec2(dFdx(depth), dFdy(depth)), -1.0, 1.0);
+#ifdef PEEL
+	uint front = texelFetch(front_layer, ivec2(gl_FragCoord.xy), 0).x;
+	if (depth <= uintBitsToFloat(front) + DEPTH_STEP)
+		discard;
+#endif
+	sheet = uvec2(floatBitsToUint(depth), packHalf2x16(slope * SLOPE_SCALE));
+}

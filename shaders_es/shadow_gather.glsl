@@ -1,0 +1,181 @@
+// Silhouette edges as data: the share of the light's disc that blockers cover is the number of
+// sheets before the disc's centre, and a term for each edge before the disc. Everything is in window
+// coordinates of the light's screen, on which edges are straight, also in depth.
+uniform usampler2D edge_tiles; // struct edge_tile of scene/edge_grid.h
+uniform sampler2D edge_map;    // struct chain_vertex, EDGE_ROW a row
+uniform usampler2D front_layer; // see gather_layer.frag
+uniform usampler2D second_layer;
+uniform float tile_count;  // a side
+uniform float disc_scale;  // radius of the disc, window x or y, over the depth before the receiver
+uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
+
+const int EDGE_ROW_BITS = 10;
+// Sheets that the counters have room for; behind more nothing is lit.
+const int WINDING_MAX = 7;
+
+float cross_of(vec2 a, vec2 b)
+{
+	return a.x * b.y - a.y * b.x;
+}
+
+// Where a point of the light's screen and its surroundings are seen from: the disc faces the
+// receiver, E v = v - e (e v) k of a spot whose light comes in along e.
+struct receiver {
+	vec3 s;
+	vec2 slope;
+	vec2 e;
+	float k, shrink; // shrink: determinant of E
+};
+
+receiver receiver_at(vec3 s)
+{
+	vec2 e = (s.xy - 0.5) * disc_facing;
+	float square = 1.0 + dot(e, e), root = sqrt(square);
+	return receiver(s, receiver_slope(s), e, 1.0 / (square + root), 1.0 / root);
+}
+
+vec2 faced(receiver r, vec2 v)
+{
+	return v - r.e * (dot(r.e, v) * r.k);
+}
+
+// Whether the sheet at a texel, `off` from the receiver, is before it: both its own plane where the
+// receiver is, which leaves a floor beside a wall lit, and it itself before the receiver's plane
+// there, which leaves a curved surface lit. What their slopes are rounded by is no difference.
+bool blocks(uvec2 sheet, receiver r, vec2 off)
+{
+	float depth = uintBitsToFloat(sheet.x);
+	vec2 slope = unpackHalf2x16(sheet.y) * (map_size.x / SLOPE_SCALE);
+	float step = DEPTH_STEP + dot(abs(slope) + abs(r.slope), abs(off)) / 512.0;
+	return depth - dot(slope, off) + step < r.s.z &&
+		depth + step < r.s.z + dot(r.slope, off);
+}
+
+// A point from which the winding number is carried to the receiver, and what it is there.
+struct origin {
+	vec2 at;
+	int winding;
+};
+
+origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
+{
+	// Behind all that casts, where no map need be asked.
+	origin middle = origin((tile_at + 0.5) / tile_count, int(tile.y >> 24) - 128);
+	vec2 texel = clamp(floor(r.s.xy * map_size.x), vec2(0.0), vec2(map_size.x - 1.0));
+	vec2 at = (texel + 0.5) * map_size.y;
+	uvec2 front = texelFetch(front_layer, ivec2(texel), 0).xy;
+	uvec2 second = texelFetch(second_layer, ivec2(texel), 0).xy;
+	int blocking = int(blocks(front, r, at - r.s.xy)) + int(blocks(second, r, at - r.s.xy));
+	if (r.s.z > uintBitsToFloat(tile.w))
+		return middle;
+	return origin(at, blocking);
+}
+
+// What is summed over the edges of a tile.
+struct sums {
+	int winding;
+	float behind; // shares of the disc behind edges
+	counters seen;
+	int hits;
+};
+
+// An edge as seen from the receiver: ends beside it, how far before it they are, and the doubled area
+// between them and the receiver, above 0 where that has the edge's sheet on its side.
+struct edge {
+	vec2 a, b;
+	float before_a, before_b, side;
+};
+
+// The part of the disc behind an edge is that between the edge's ends less the triangle before it.
+void add_edge(inout sums sum, edge edge, receiver r)
+{
+	vec2 a = faced(r, edge.a), b = faced(r, edge.b);
+	vec2 along = edge.before_a * b - edge.before_b * a;
+	// Edges that are hit have a length.
+	float length = max(sqrt(dot(along, along)), 1e-30);
+	vec2 u = along / length;
+	float h = abs(edge.side) * r.shrink / max(disc_scale * length, 1e-30);
+	float half_chord = sqrt(max(1.0 - h * h, 0.0));
+	// Ends in the receiver's plane are infinitely far off.
+	float t0 = dot(a, u) / max(disc_scale * edge.before_a, 1e-30);
+	float t1 = dot(b, u) / max(disc_scale * edge.before_b, 1e-30);
+	t0 = edge.before_a > 0.0 ? max(t0, -half_chord) : -half_chord;
+	t1 = edge.before_b > 0.0 ? min(t1, half_chord) : half_chord;
+	if (h >= 1.0 || t0 >= t1)
+		return;
+	float sign = edge.side >= 0.0 ? 1.0 : -1.0;
+	float low = right_angle_of(t0, h), high = right_angle_of(t1, h);
+	sum.behind += sign * (high - low - (t1 - t0) * h);
+	float foot = angle_of(sign * vec2(u.y, -u.x));
+	uvec2 mask = beyond(foot, h);
+	mask &= sign > 0.0 ? sector(foot + low, foot + high) : sector(foot - high, foot - low);
+	count(sum.seen, mask, sign > 0.0 ? ~0u : 0u);
+	sum.hits++;
+}
+
+// Walks along the tile's chains. An edge between the origin and the receiver is one that a sheet
+// starts or ends at.
+sums walk(receiver r, origin from, int first, int end)
+{
+	sums sum = sums(from.winding, 0.0, counters(uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u)), 0);
+	vec2 path = r.s.xy - from.at;
+	edge edge;
+	float across_b = 0.0;
+	float most = disc_scale * disc_scale / (r.shrink * r.shrink);
+	edge.b = vec2(0.0);
+	edge.before_b = 0.0;
+	for (int i = first; i < end;) {
+		bool hit = false;
+		// To the next edge that may be before the disc: where some lanes of a processor
+		// still look for theirs the others wait here, not at each edge.
+		for (; i < end && !hit; i++) {
+			vec4 v = texelFetch(edge_map, ivec2(i & 1023, i >> EDGE_ROW_BITS), 0);
+			float across_a = across_b;
+			edge.a = edge.b;
+			edge.before_a = edge.before_b;
+			edge.b = v.xy - r.s.xy;
+			edge.before_b = r.s.z - v.z;
+			across_b = cross_of(path, edge.b);
+			edge.side = cross_of(edge.a, edge.b);
+			if (v.w > 0.0) {
+				end = r.s.z > v.w - 1.0 ? end : i;
+				continue;
+			}
+			float depth = edge.before_b * across_a - edge.before_a * across_b;
+			bool crossed = (across_a < 0.0) != (across_b < 0.0) &&
+				(across_a < across_b ? depth < 0.0 : depth > 0.0);
+			float side_origin = edge.side - across_a + across_b;
+			if (crossed)
+				sum.winding += int(edge.side >= 0.0) - int(side_origin >= 0.0);
+			vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
+			hit = max(edge.before_a, edge.before_b) > 0.0 &&
+				edge.side * edge.side < most * dot(along, along);
+		}
+		if (hit)
+			add_edge(sum, edge, r);
+	}
+	return sum;
+}
+
+float shadow_visibility(vec3 p)
+{
+	receiver r = receiver_at(on_screen(p));
+	vec2 at = floor(r.s.xy * tile_count);
+	bool inside = all(equal(at, clamp(at, vec2(0.0), vec2(tile_count - 1.0))));
+	vec2 tile_at = inside ? at : vec2(0.0);
+	uvec4 tile = texelFetch(edge_tiles, ivec2(tile_at), 0);
+	origin from = origin_of(r, tile, tile_at);
+	int first = int(tile.x), edges = int(tile.y & 0xffffffu);
+	bool any_before = inside && r.s.z > uintBitsToFloat(tile.z);
+	sums sum = walk(r, from, first, any_before ? first + edges : first);
+	if (!inside)
+		return 1.0;
+	float covered = float(sum.winding) - sum.behind / TURN;
+	if (sum.hits > 0 && sum.winding <= WINDING_MAX) {
+		counters c = sum.seen;
+		for (int i = 0; i < sum.winding; i++)
+			count(c, uvec2(~0u), 0u);
+		covered -= overlap(c);
+	}
+	return 1.0 - clamp(covered, 0.0, 1.0);
+}

@@ -1,0 +1,301 @@
+/* SPDX-License-Identifier: MIT */
+#include "base/processor_time.h"
+#include "scene/edge_grid.h"
+#include "technique/depth_map.h"
+#include "technique/disc_mask.h"
+
+/* The layers tell how many sheets are before a receiver, and that at their texels' centres: finer
+ * ones change nothing. */
+#define LAYER_SIZE_MAX 512
+#define LAYERS 2
+
+/* Vertices of all lists: 1.5 MB. */
+#define VERTICES_MAX (96 * 1024)
+/* Vertices in a row of their texture; as in shadow_gather.glsl. */
+#define EDGE_ROW 1024
+
+/* Penumbrae from the silhouette edges themselves, listed for tiles of the light's screen: each
+ * receiver adds up which part of the light's disc lies behind which edge. Integer and float
+ * textures are fetched alone, and the layers are integers: core ES 3.0, whatever a driver makes of
+ * floats. */
+struct gather {
+	struct target layers[LAYERS]; /* depth and slope of the casters' first sheets */
+	struct target depth;          /* what the layers are drawn with */
+	GLuint tiles, vertices, masks;
+	GLsizei rows; /* of the texture of vertices */
+	struct edge_grid grid;
+	struct screen_grid soft;
+	struct depth_map hard; /* of a light that is a point; made when there is one */
+	bool point;
+	uint32_t map_size, subpixel_bits;
+};
+
+static GLuint create_table(struct gl *gl)
+{
+	GLuint texture = gl_create_texture(gl);
+	gl->ActiveTexture(GL_TEXTURE0);
+	gl->BindTexture(GL_TEXTURE_2D, texture);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+	return texture;
+}
+
+static void upload_masks(struct gather *gather, struct gl *gl)
+{
+	static uint32_t table[DISC_MASK_ANGLES * DISC_MASK_DISTANCES][2];
+	disc_mask_table(table);
+	gather->masks = create_table(gl);
+	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RG32UI, DISC_MASK_ANGLES, DISC_MASK_DISTANCES, 0,
+		GL_RG_INTEGER, GL_UNSIGNED_INT, table);
+}
+
+static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
+	struct sm_error *error)
+{
+	struct gather *gather = state;
+	struct gl *gl = &gpu->gl;
+	GLint subpixel_bits = 0;
+	gl->GetIntegerv(GL_SUBPIXEL_BITS, &subpixel_bits);
+	gather->subpixel_bits = (uint32_t)subpixel_bits;
+	gather->map_size = options->map_size;
+	GLsizei size =
+		options->map_size < LAYER_SIZE_MAX ? (GLsizei)options->map_size : LAYER_SIZE_MAX;
+	if (!target_init(
+		    &gather->depth, gl, size, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
+		return false;
+	for (int i = 0; i < LAYERS; i++) {
+		if (!target_init(
+			    &gather->layers[i], gl, size, GL_RG32UI, GL_COLOR_ATTACHMENT0, error))
+			return false;
+		gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
+			gather->depth.texture, 0);
+	}
+	upload_masks(gather, gl);
+	gather->tiles = create_table(gl);
+	gather->vertices = create_table(gl);
+	return true;
+}
+
+static void gather_finish(void *state, struct gpu *gpu)
+{
+	struct gather *gather = state;
+	depth_map_finish(&gather->hard, gpu);
+	edge_grid_finish(&gather->grid);
+	gl_delete_texture(&gpu->gl, &gather->vertices);
+	gl_delete_texture(&gpu->gl, &gather->tiles);
+	gl_delete_texture(&gpu->gl, &gather->masks);
+	for (int i = 0; i < LAYERS; i++)
+		target_finish(&gather->layers[i], &gpu->gl);
+	target_finish(&gather->depth, &gpu->gl);
+}
+
+/* All that the light sees of casters that are closed, and both sides of others. */
+static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct program *program)
+{
+	struct gl *gl = &gpu->gl;
+	for (size_t i = 0; i < scene->object_count; i++) {
+		const struct object *object = &scene->objects[i];
+		const struct mesh *mesh = &scene->meshes[object->mesh];
+		if (!object->casts)
+			continue;
+		mat4 to_clip;
+		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
+		gl->UniformMatrix4fv(program->uniform.object_to_clip, 1, GL_FALSE, to_clip[0]);
+		gpu_set_faces(gpu, mesh, (vec4 *)object->transform, to_clip, mesh->solid);
+		gpu_draw_caster(gpu, &gpu->scene.meshes[object->mesh]);
+	}
+	gl->Disable(GL_CULL_FACE);
+}
+
+static bool draw_layer(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, int layer, struct sm_error *error)
+{
+	/* Depth 2 as the bits of a float, behind all there is. */
+	static const GLuint none[4] = {0x40000000, 0, 0, 0};
+	struct gl *gl = &gpu->gl;
+	struct program_key key = {PROGRAM_LAYER, layer > 0 ? FLAG_PEEL : 0};
+	target_bind(&gather->layers[layer], gl);
+	gl->DepthMask(GL_TRUE);
+	gl->ClearBufferuiv(GL_COLOR, 0, none);
+	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
+	const struct program *program = program_use(&gpu->programs, gl, key, error);
+	if (program == NULL)
+		return false;
+	if (layer > 0)
+		gpu_bind_texture(gpu, UNIT_FRONT_LAYER, gather->layers[layer - 1].texture);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_LESS);
+	target_restrict(target_inside(&gather->layers[layer]), gl);
+	draw_casters(gpu, scene, frame, program);
+	gl->Disable(GL_SCISSOR_TEST);
+	return true;
+}
+
+static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	bool drawn = true;
+	gl_push_group(&gpu->gl, "layers");
+	for (int i = 0; i < LAYERS && drawn; i++)
+		drawn = draw_layer(gather, gpu, scene, frame, i, error);
+	gl_pop_group(&gpu->gl);
+	return drawn;
+}
+
+static void upload_vertices(struct gather *gather, struct gpu *gpu)
+{
+	struct gl *gl = &gpu->gl;
+	const struct edge_grid *grid = &gather->grid;
+	GLsizei rows = (GLsizei)((grid->vertex_count + EDGE_ROW - 1) / EDGE_ROW);
+	GLsizei full = (GLsizei)(grid->vertex_count / EDGE_ROW);
+	GLsizei rest = (GLsizei)(grid->vertex_count % EDGE_ROW);
+	gl->BindTexture(GL_TEXTURE_2D, gather->vertices);
+	if (rows > gather->rows) {
+		gather->rows = rows + rows / 2;
+		gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, EDGE_ROW, gather->rows, 0, GL_RGBA,
+			GL_FLOAT, NULL);
+	}
+	if (full > 0)
+		gl->TexSubImage2D(
+			GL_TEXTURE_2D, 0, 0, 0, EDGE_ROW, full, GL_RGBA, GL_FLOAT, grid->vertices);
+	if (rest > 0)
+		gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, GL_RGBA, GL_FLOAT,
+			grid->vertices + (size_t)full * EDGE_ROW);
+}
+
+static void upload_tiles(struct gather *gather, struct gpu *gpu)
+{
+	struct gl *gl = &gpu->gl;
+	GLsizei side = (GLsizei)gather->grid.tiles;
+	gl->BindTexture(GL_TEXTURE_2D, gather->tiles);
+	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, side, side, 0, GL_RGBA_INTEGER,
+		GL_UNSIGNED_INT, gather->grid.of);
+}
+
+/* Whether there is an edge to add up or a caster to be behind. Tiles are 32, 64 or 128 a side. */
+static bool cell_is_soft(const struct edge_grid *grid, int x, int row)
+{
+	uint32_t tiles = grid->tiles, first[2] = {(uint32_t)x, (uint32_t)row}, end[2];
+	for (int axis = 0; axis < 2; axis++) {
+		end[axis] = ((first[axis] + 1) * tiles + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
+		first[axis] = first[axis] * tiles / SCREEN_GRID_SIZE;
+	}
+	for (uint32_t j = first[1]; j < end[1]; j++)
+		for (uint32_t i = first[0]; i < end[0]; i++) {
+			const struct edge_tile *tile = &grid->of[j * tiles + i];
+			if (edge_tile_count(tile) > 0 || tile->farthest > 0.0f)
+				return true;
+		}
+	return false;
+}
+
+static void mark_soft(struct gather *gather)
+{
+	const struct edge_grid *grid = &gather->grid;
+	screen_grid_clear(&gather->soft);
+	for (int row = 0; row < SCREEN_GRID_SIZE; row++)
+		for (int x = 0; x < SCREEN_GRID_SIZE; x++)
+			if (cell_is_soft(grid, x, row))
+				gather->soft.rows[row] |= (uint64_t)1 << x;
+}
+
+static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	const struct edge_grid_options options = {
+		.tiles = 32,
+		.map_size = (uint32_t)gather->depth.size,
+		.subpixel_bits = gather->subpixel_bits,
+		.vertices_max = VERTICES_MAX,
+	};
+	gl_push_group(&gpu->gl, "silhouettes");
+	double start = processor_ms();
+	bool found = edge_grid_find(&gather->grid, scene, frame, &options);
+	if (found) {
+		mark_soft(gather);
+		gpu->stats.silhouette_edges += gather->grid.edge_count;
+		gpu->stats.silhouette_ms += processor_ms() - start;
+		gpu->gl.ActiveTexture(GL_TEXTURE0);
+		upload_tiles(gather, gpu);
+		upload_vertices(gather, gpu);
+		gpu->stats.uploaded_bytes +=
+			gather->grid.vertex_count * sizeof(struct chain_vertex) +
+			(uint64_t)gather->grid.tiles * gather->grid.tiles *
+				sizeof(struct edge_tile);
+	}
+	gl_pop_group(&gpu->gl);
+	return found || error_no_memory(error);
+}
+
+static bool gather_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	struct gather *gather = state;
+	gather->point = frame->disc == 0.0f;
+	if (!gather->point)
+		return find_edges(gather, gpu, scene, frame, error) &&
+		       draw_layers(gather, gpu, scene, frame, error);
+	if (gather->hard.target.texture == 0 &&
+		!depth_map_init(
+			&gather->hard, gpu, gather->map_size, DEPTH_MAP_NEAREST, false, error)) {
+		depth_map_finish(&gather->hard, gpu);
+		return false;
+	}
+	return depth_map_draw(&gather->hard, gpu, scene, frame, DEPTH_OF_CASTERS, error);
+}
+
+static uint64_t gather_surface_flags(const void *state)
+{
+	const struct gather *gather = state;
+	return gather->point ? FLAG_HARD : FLAG_EDGES;
+}
+
+static const struct screen_grid *gather_soft_grid(const void *state)
+{
+	const struct gather *gather = state;
+	return gather->point ? NULL : &gather->soft;
+}
+
+static size_t gather_geometry_bytes(const void *state)
+{
+	const struct gather *gather = state;
+	return edge_grid_bytes(&gather->grid);
+}
+
+static void gather_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
+	const struct program *program)
+{
+	const struct gather *gather = state;
+	struct gl *gl = &gpu->gl;
+	if (gather->point) {
+		depth_map_bind(&gather->hard, gpu, frame, program);
+		return;
+	}
+	gpu_bind_texture(gpu, UNIT_FRONT_LAYER, gather->layers[0].texture);
+	gpu_bind_texture(gpu, UNIT_SECOND_LAYER, gather->layers[1].texture);
+	gpu_bind_texture(gpu, UNIT_EDGE_TILES, gather->tiles);
+	gpu_bind_texture(gpu, UNIT_EDGES, gather->vertices);
+	gpu_bind_texture(gpu, UNIT_DISC_MASKS, gather->masks);
+	depth_map_set_receiver(gpu, gather->depth.size, DEPTH_MAP_NEAREST, frame, program);
+	gl->Uniform1f(program->uniform.disc_scale, disc_scale(frame));
+	gl->Uniform1f(
+		program->uniform.disc_facing, frame->parallel ? 0.0f : 2.0f * frame->half_extent);
+	gl->Uniform1f(program->uniform.tile_count, (float)gather->grid.tiles);
+}
+
+const struct technique technique_gather = {
+	.name = "gather",
+	.summary = "the light's disc cut by all silhouette edges before it, for each pixel",
+	.state_size = sizeof(struct gather),
+	.init = gather_init,
+	.finish = gather_finish,
+	.prepare = gather_prepare,
+	.surface_flags = gather_surface_flags,
+	.soft_grid = gather_soft_grid,
+	.soft_is_all = true,
+	.geometry_bytes = gather_geometry_bytes,
+	.bind = gather_bind,
+};
