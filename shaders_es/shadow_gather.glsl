@@ -7,6 +7,8 @@ uniform usampler2D front_layer; // see gather_layer.frag
 uniform usampler2D second_layer;
 uniform float tile_count;  // a side
 uniform float disc_scale;  // radius of the disc, window x or y, over the depth before the receiver
+uniform float pole;        // K, see scene/light.h
+uniform float snap;        // by how much points of edges and sheets are moved, window x or y
 uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
 
 const int EDGE_ROW_BITS = 10;
@@ -18,12 +20,14 @@ float cross_of(vec2 a, vec2 b)
 	return a.x * b.y - a.y * b.x;
 }
 
-// Where a point of the light's screen and its surroundings are seen from: the disc faces the
-// receiver, E v = v - e (e v) k of a spot whose light comes in along e.
+// The disc of a spot faces the receiver, whose light comes in along (e, 1): seen from there what is
+// beside it by v on the screen is beside it by E v = v - k e (e v), and as much farther before it as
+// it is before a plane with the slope `tilt` through the receiver.
 struct receiver {
 	vec3 s;
-	vec2 slope;
-	vec2 e;
+	vec2 slope;  // of its own plane
+	float noise; // of depths on that plane
+	vec2 e, tilt;
 	float k, shrink; // shrink: determinant of E
 };
 
@@ -31,7 +35,10 @@ receiver receiver_at(vec3 s)
 {
 	vec2 e = (s.xy - 0.5) * disc_facing;
 	float square = 1.0 + dot(e, e), root = sqrt(square);
-	return receiver(s, receiver_slope(s), e, 1.0 / (square + root), 1.0 / root);
+	vec2 slope = receiver_slope(s);
+	float noise = DEPTH_STEP + snap * (abs(slope.x) + abs(slope.y));
+	vec2 tilt = e * (disc_facing * (pole - s.z) / square);
+	return receiver(s, slope, noise, e, tilt, 1.0 / (square + root), 1.0 / root);
 }
 
 vec2 faced(receiver r, vec2 v)
@@ -41,26 +48,28 @@ vec2 faced(receiver r, vec2 v)
 
 // Whether the sheet at a texel, `off` from the receiver, is before it: both its own plane where the
 // receiver is, which leaves a floor beside a wall lit, and it itself before the receiver's plane
-// there, which leaves a curved surface lit. What their slopes are rounded by is no difference.
+// there, which leaves a curved surface lit.
 bool blocks(uvec2 sheet, receiver r, vec2 off)
 {
 	float depth = uintBitsToFloat(sheet.x);
 	vec2 slope = unpackHalf2x16(sheet.y) * (map_size.x / SLOPE_SCALE);
-	float step = DEPTH_STEP + dot(abs(slope) + abs(r.slope), abs(off)) / 512.0;
-	return depth - dot(slope, off) + step < r.s.z &&
-		depth + step < r.s.z + dot(r.slope, off);
+	float noise = r.noise + snap * (abs(slope.x) + abs(slope.y));
+	return depth - dot(slope, off) + noise < r.s.z &&
+		depth + noise < r.s.z + dot(r.slope, off);
 }
 
-// A point from which the winding number is carried to the receiver, and what it is there.
+// A point from which the winding number is carried to the receiver, and what it is there. Edges in
+// between count where they are before the way from there, which has this slope.
 struct origin {
 	vec2 at;
 	int winding;
+	vec2 slope;
 };
 
 origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 {
 	// Behind all that casts, where no map need be asked.
-	origin middle = origin((tile_at + 0.5) / tile_count, int(tile.y >> 24) - 128);
+	origin middle = origin((tile_at + 0.5) / tile_count, int(tile.y >> 24) - 128, vec2(0.0));
 	vec2 texel = clamp(floor(r.s.xy * map_size.x), vec2(0.0), vec2(map_size.x - 1.0));
 	vec2 at = (texel + 0.5) * map_size.y;
 	uvec2 front = texelFetch(front_layer, ivec2(texel), 0).xy;
@@ -68,7 +77,7 @@ origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 	int blocking = int(blocks(front, r, at - r.s.xy)) + int(blocks(second, r, at - r.s.xy));
 	if (r.s.z > uintBitsToFloat(tile.w))
 		return middle;
-	return origin(at, blocking);
+	return origin(at, blocking, r.slope);
 }
 
 // What is summed over the edges of a tile.
@@ -120,7 +129,7 @@ sums walk(receiver r, origin from, int first, int end)
 	sums sum = sums(from.winding, 0.0, counters(uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u)), 0);
 	vec2 path = r.s.xy - from.at;
 	edge edge;
-	float across_b = 0.0;
+	float across_b = 0.0, above_b = 0.0;
 	float most = disc_scale * disc_scale / (r.shrink * r.shrink);
 	edge.b = vec2(0.0);
 	edge.before_b = 0.0;
@@ -134,14 +143,16 @@ sums walk(receiver r, origin from, int first, int end)
 			edge.a = edge.b;
 			edge.before_a = edge.before_b;
 			edge.b = v.xy - r.s.xy;
-			edge.before_b = r.s.z - v.z;
+			edge.before_b = r.s.z - v.z - dot(r.tilt, edge.b);
+			float above_a = above_b;
+			above_b = r.s.z - r.noise - v.z + dot(from.slope, edge.b);
 			across_b = cross_of(path, edge.b);
 			edge.side = cross_of(edge.a, edge.b);
 			if (v.w > 0.0) {
 				end = r.s.z > v.w - 1.0 ? end : i;
 				continue;
 			}
-			float depth = edge.before_b * across_a - edge.before_a * across_b;
+			float depth = above_b * across_a - above_a * across_b;
 			bool crossed = (across_a < 0.0) != (across_b < 0.0) &&
 				(across_a < across_b ? depth < 0.0 : depth > 0.0);
 			float side_origin = edge.side - across_a + across_b;

@@ -91,21 +91,20 @@ static void gather_finish(void *state, struct gpu *gpu)
 	target_finish(&gather->depth, &gpu->gl);
 }
 
-/* All that the light sees of casters that are closed, and both sides of others. */
-static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
+static void draw_sheets(struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct program *program)
 {
 	struct gl *gl = &gpu->gl;
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
-		const struct mesh *mesh = &scene->meshes[object->mesh];
 		if (!object->casts)
 			continue;
 		mat4 to_clip;
 		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
 		gl->UniformMatrix4fv(program->uniform.object_to_clip, 1, GL_FALSE, to_clip[0]);
-		gpu_set_faces(gpu, mesh, (vec4 *)object->transform, to_clip, mesh->solid);
-		gpu_draw_caster(gpu, &gpu->scene.meshes[object->mesh]);
+		struct sheet_rule rule = mesh_sheet_rule(
+			&scene->meshes[object->mesh], (vec4 *)object->transform, to_clip);
+		gpu_draw_sheets(gpu, &gpu->scene.meshes[object->mesh], &rule);
 	}
 	gl->Disable(GL_CULL_FACE);
 }
@@ -129,7 +128,7 @@ static bool draw_layer(struct gather *gather, struct gpu *gpu, const struct sm_s
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	target_restrict(target_inside(&gather->layers[layer]), gl);
-	draw_casters(gpu, scene, frame, program);
+	draw_sheets(gpu, scene, frame, program);
 	gl->Disable(GL_SCISSOR_TEST);
 	return true;
 }
@@ -281,6 +280,9 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 	gpu_bind_texture(gpu, UNIT_DISC_MASKS, gather->masks);
 	depth_map_set_receiver(gpu, gather->depth.size, DEPTH_MAP_NEAREST, frame, program);
 	gl->Uniform1f(program->uniform.disc_scale, disc_scale(frame));
+	gl->Uniform1f(program->uniform.pole, frame->pole);
+	gl->Uniform1f(program->uniform.snap,
+		0.5f / ((float)gather->depth.size * (float)(1u << gather->subpixel_bits)));
 	gl->Uniform1f(
 		program->uniform.disc_facing, frame->parallel ? 0.0f : 2.0f * frame->half_extent);
 	gl->Uniform1f(program->uniform.tile_count, (float)gather->grid.tiles);
