@@ -79,12 +79,19 @@ float bits_of(uvec2 v)
 	return float((v.x + v.y) * 0x01010101u >> 24);
 }
 
-// What the sum over all blockers has more of the disc than their union: samples counted more than
-// once, less those that are counted below 0.
-float overlap(counters c)
+// The share of the disc that the union of all blockers covers, of which `sum` is the sum. The samples
+// tell what is covered twice; what they are off by along edges is known from the sum, and counts as
+// far as edges border on what is not covered, not on other blockers.
+float covered_share(counters c, float sum)
 {
-	uvec2 positive = ~c.eights & (c.ones | c.twos | c.fours);
-	float sum = bits_of(c.ones) + 2.0 * bits_of(c.twos) + 4.0 * bits_of(c.fours) -
+	uvec2 some = c.ones | c.twos | c.fours;
+	uvec2 positive = ~c.eights & some;
+	uvec2 several = c.eights | c.twos | c.fours;
+	float total = bits_of(c.ones) + 2.0 * bits_of(c.twos) + 4.0 * bits_of(c.fours) -
 		8.0 * bits_of(c.eights);
-	return (sum - bits_of(positive)) / SAMPLES;
+	float covered = bits_of(positive), shared = bits_of(several);
+	float open = SAMPLES - covered;
+	// Without any that are shared it is the sum.
+	float exposed = shared > 0.0 ? open / (open + shared) : 1.0;
+	return covered / SAMPLES + (sum - total / SAMPLES) * exposed;
 }

@@ -9,6 +9,7 @@ uniform float tile_count;  // a side
 uniform float disc_scale;  // radius of the disc, window x or y, over the depth before the receiver
 uniform float pole;        // K, see scene/light.h
 uniform float snap;        // by how much points of edges and sheets are moved, window x or y
+uniform bool casts;        // the receiver, as well
 uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
 
 const int EDGE_ROW_BITS = 10;
@@ -46,38 +47,95 @@ vec2 faced(receiver r, vec2 v)
 	return v - r.e * (dot(r.e, v) * r.k);
 }
 
-// Whether the sheet at a texel, `off` from the receiver, is before it: both its own plane where the
-// receiver is, which leaves a floor beside a wall lit, and it itself before the receiver's plane
-// there, which leaves a curved surface lit.
-bool blocks(uvec2 sheet, receiver r, vec2 off)
+// A sheet at a texel of the layers.
+struct sheet {
+	float depth;
+	vec2 slope;
+};
+
+sheet sheet_of(uvec2 texel)
 {
-	float depth = uintBitsToFloat(sheet.x);
-	vec2 slope = unpackHalf2x16(sheet.y) * (map_size.x / SLOPE_SCALE);
-	float noise = r.noise + snap * (abs(slope.x) + abs(slope.y));
-	return depth - dot(slope, off) + noise < r.s.z &&
-		depth + noise < r.s.z + dot(r.slope, off);
+	vec2 slope = unpackHalf2x16(texel.y) * (map_size.x / SLOPE_SCALE);
+	return sheet(uintBitsToFloat(texel.x), slope);
+}
+
+// Whether a sheet of the texel that is `off` from the receiver is before it: both its own plane where
+// the receiver is, which leaves a floor beside a wall lit, and it itself before the receiver's plane
+// there, which leaves a curved surface lit.
+bool blocks(sheet sheet, receiver r, vec2 off)
+{
+	float noise = r.noise + snap * (abs(sheet.slope.x) + abs(sheet.slope.y));
+	return sheet.depth - dot(sheet.slope, off) + noise < r.s.z &&
+		sheet.depth + noise < r.s.z + dot(r.slope, off);
+}
+
+// How far the sheet is from the receiver's plane, where from 1 on it is another surface than the
+// receiver's own: one that is curved is off by as much as it turns on the way.
+float strangeness(sheet sheet, receiver r, vec2 off)
+{
+	float turn = dot(abs(sheet.slope - r.slope), abs(off));
+	return abs(sheet.depth - r.s.z - dot(r.slope, off)) / (1.5 * turn + r.noise);
 }
 
 // A point from which the winding number is carried to the receiver, and what it is there. Edges in
-// between count where they are before the way from there, which has this slope.
+// between count where they are before a plane through `depth` at the receiver.
 struct origin {
 	vec2 at;
-	int winding;
+	int winding, least;
+	float depth;
 	vec2 slope;
 };
+
+// Where a sheet is the receiver's own to less than this, no better texel is looked for.
+const float OWN = 0.2;
+
+// The sheets before the receiver at the nearest texel; if it casts itself, at that of the four
+// nearest where its own sheet is best found among them, which is left out.
+origin origin_among(receiver r, origin middle)
+{
+	origin from = middle;
+	vec2 place = r.s.xy * map_size.x, nearest = floor(place);
+	vec2 beside = vec2(place.x - nearest.x < 0.5 ? -1.0 : 1.0,
+		place.y - nearest.y < 0.5 ? -1.0 : 1.0);
+	float best = 2.0;
+	for (int i = 0; i < (casts ? 4 : 1) && best >= OWN; i++) {
+		vec2 texel = nearest + beside * vec2(float(i & 1), float(i >> 1));
+		texel = clamp(texel, vec2(0.0), vec2(map_size.x - 1.0));
+		vec2 off = (texel + 0.5) * map_size.y - r.s.xy;
+		sheet front = sheet_of(texelFetch(front_layer, ivec2(texel), 0).xy);
+		sheet second = sheet_of(texelFetch(second_layer, ivec2(texel), 0).xy);
+		float strange_front = casts ? strangeness(front, r, off) : 2.0;
+		float strange_second = casts ? strangeness(second, r, off) : 2.0;
+		float strange = min(strange_front, strange_second);
+		bool own = strange <= 1.0;
+		if (i > 0 && (!own || strange >= best))
+			continue;
+		best = strange;
+		bool own_front = own && strange_front <= strange_second;
+		int blocking = int(blocks(front, r, off) && !own_front) +
+			int(blocks(second, r, off) && !(own && !own_front));
+		// Where all layers are taken there may be more sheets than these: all that are in
+		// line are counted, and those behind the receiver with them.
+		bool full = false;
+		bool lower = dot(r.slope, off) < 0.0;
+		from.at = full ? middle.at : off + r.s.xy;
+		from.winding = full ? middle.winding - int(own) : blocking;
+		from.least = full ? blocking : 0;
+		from.depth = full ? middle.depth : r.s.z - r.noise;
+		from.slope = lower && !full ? r.slope : vec2(0.0);
+	}
+	return from;
+}
 
 origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 {
 	// Behind all that casts, where no map need be asked.
-	origin middle = origin((tile_at + 0.5) / tile_count, int(tile.y >> 24) - 128, vec2(0.0));
-	vec2 texel = clamp(floor(r.s.xy * map_size.x), vec2(0.0), vec2(map_size.x - 1.0));
-	vec2 at = (texel + 0.5) * map_size.y;
-	uvec2 front = texelFetch(front_layer, ivec2(texel), 0).xy;
-	uvec2 second = texelFetch(second_layer, ivec2(texel), 0).xy;
-	int blocking = int(blocks(front, r, at - r.s.xy)) + int(blocks(second, r, at - r.s.xy));
-	if (r.s.z > uintBitsToFloat(tile.w))
-		return middle;
-	return origin(at, blocking, r.slope);
+	origin from = origin((tile_at + 0.5) / tile_count, int(tile.y >> 24) - 128, 0, 2.0,
+		vec2(0.0));
+	// A loop, since some drivers run a branch that no pixel takes.
+	for (bool among = r.s.z <= uintBitsToFloat(tile.w); among; among = false)
+		from = origin_among(r, from);
+	return from;
 }
 
 // What is summed over the edges of a tile.
@@ -145,7 +203,7 @@ sums walk(receiver r, origin from, int first, int end)
 			edge.b = v.xy - r.s.xy;
 			edge.before_b = r.s.z - v.z - dot(r.tilt, edge.b);
 			float above_a = above_b;
-			above_b = r.s.z - r.noise - v.z + dot(from.slope, edge.b);
+			above_b = from.depth - v.z + dot(from.slope, edge.b);
 			across_b = cross_of(path, edge.b);
 			edge.side = cross_of(edge.a, edge.b);
 			if (v.w > 0.0) {
@@ -181,12 +239,13 @@ float shadow_visibility(vec3 p)
 	sums sum = walk(r, from, first, any_before ? first + edges : first);
 	if (!inside)
 		return 1.0;
+	sum.winding = max(sum.winding, from.least);
 	float covered = float(sum.winding) - sum.behind / TURN;
 	if (sum.hits > 0 && sum.winding <= WINDING_MAX) {
 		counters c = sum.seen;
 		for (int i = 0; i < sum.winding; i++)
 			count(c, uvec2(~0u), 0u);
-		covered -= overlap(c);
+		covered = covered_share(c, covered);
 	}
 	return 1.0 - clamp(covered, 0.0, 1.0);
 }

@@ -73,6 +73,7 @@ static void set_object(
 	gl->UniformMatrix3fv(program->uniform.normal_to_light, 1, GL_FALSE, normal_to_light[0]);
 	gl->Uniform3f(program->uniform.base_color, object->base_color[0], object->base_color[1],
 		object->base_color[2]);
+	gl->Uniform1i(program->uniform.casts, object->casts);
 	gpu_set_faces(
 		gpu, &pass->scene->meshes[object->mesh], transform, to_clip, object->single_sided);
 	if (object->image != SM_NONE)
