@@ -81,7 +81,7 @@ float strangeness(sheet sheet, receiver r, vec2 off)
 // between count where they are before a plane through `depth` at the receiver.
 struct origin {
 	vec2 at;
-	int winding, least;
+	int winding;
 	float depth;
 	vec2 slope;
 };
@@ -114,13 +114,12 @@ origin origin_among(receiver r, origin middle)
 		bool own_front = own && strange_front <= strange_second;
 		int blocking = int(blocks(front, r, off) && !own_front) +
 			int(blocks(second, r, off) && !(own && !own_front));
-		// Where all layers are taken there may be more sheets than these: all that are in
-		// line are counted, and those behind the receiver with them.
-		bool full = false;
+		// Where both layers are before the receiver more sheets may be: all that are in line
+		// are counted, and those behind the receiver with them, less its own.
+		bool full = blocking == 2;
 		bool lower = dot(r.slope, off) < 0.0;
 		from.at = full ? middle.at : off + r.s.xy;
-		from.winding = full ? middle.winding - int(own) : blocking;
-		from.least = full ? blocking : 0;
+		from.winding = full ? middle.winding - int(casts) : blocking;
 		from.depth = full ? middle.depth : r.s.z - r.noise;
 		from.slope = lower && !full ? r.slope : vec2(0.0);
 	}
@@ -130,7 +129,7 @@ origin origin_among(receiver r, origin middle)
 origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 {
 	// Behind all that casts, where no map need be asked.
-	origin from = origin((tile_at + 0.5) / tile_count, int(tile.y >> 24) - 128, 0, 2.0,
+	origin from = origin((tile_at + 0.5) / tile_count, int(tile.y >> 24) - 128, 2.0,
 		vec2(0.0));
 	// A loop, since some drivers run a branch that no pixel takes.
 	for (bool among = r.s.z <= uintBitsToFloat(tile.w); among; among = false)
@@ -207,7 +206,7 @@ sums walk(receiver r, origin from, int first, int end)
 			across_b = cross_of(path, edge.b);
 			edge.side = cross_of(edge.a, edge.b);
 			if (v.w > 0.0) {
-				end = r.s.z > v.w - 1.0 ? end : i;
+				end = from.depth > v.w - 1.0 ? end : i;
 				continue;
 			}
 			float depth = above_b * across_a - above_a * across_b;
@@ -235,11 +234,11 @@ float shadow_visibility(vec3 p)
 	uvec4 tile = texelFetch(edge_tiles, ivec2(tile_at), 0);
 	origin from = origin_of(r, tile, tile_at);
 	int first = int(tile.x), edges = int(tile.y & 0xffffffu);
-	bool any_before = inside && r.s.z > uintBitsToFloat(tile.z);
+	bool any_before = inside && from.depth > uintBitsToFloat(tile.z);
 	sums sum = walk(r, from, first, any_before ? first + edges : first);
 	if (!inside)
 		return 1.0;
-	sum.winding = max(sum.winding, from.least);
+	sum.winding = max(sum.winding, 0);
 	float covered = float(sum.winding) - sum.behind / TURN;
 	if (sum.hits > 0 && sum.winding <= WINDING_MAX) {
 		counters c = sum.seen;

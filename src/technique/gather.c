@@ -205,7 +205,7 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 	const struct light_frame *frame, struct sm_error *error)
 {
 	const struct edge_grid_options options = {
-		.tiles = 32,
+		.tiles = 128,
 		.map_size = (uint32_t)gather->depth.size,
 		.subpixel_bits = gather->subpixel_bits,
 		.vertices_max = VERTICES_MAX,
