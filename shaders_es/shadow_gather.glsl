@@ -219,7 +219,8 @@ sums walk(receiver r, origin from, int first, int end)
 			hit = max(edge.before_a, edge.before_b) > 0.0 &&
 				edge.side * edge.side < most * dot(along, along);
 		}
-		if (hit)
+		// A loop, as above.
+		for (; hit; hit = false)
 			add_edge(sum, edge, r);
 	}
 	return sum;
@@ -240,11 +241,11 @@ float shadow_visibility(vec3 p)
 		return 1.0;
 	sum.winding = max(sum.winding, 0);
 	float covered = float(sum.winding) - sum.behind / TURN;
-	if (sum.hits > 0 && sum.winding <= WINDING_MAX) {
-		counters c = sum.seen;
+	// Only edges leave a part of the disc.
+	for (bool partly = sum.hits > 0 && sum.winding <= WINDING_MAX; partly; partly = false) {
 		for (int i = 0; i < sum.winding; i++)
-			count(c, uvec2(~0u), 0u);
-		covered = covered_share(c, covered);
+			count(sum.seen, uvec2(~0u), 0u);
+		covered = covered_share(sum.seen, covered);
 	}
 	return 1.0 - clamp(covered, 0.0, 1.0);
 }
