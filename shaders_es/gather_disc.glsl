@@ -89,9 +89,9 @@ float covered_share(counters c, float sum)
 	uvec2 several = c.eights | c.twos | c.fours;
 	float total = bits_of(c.ones) + 2.0 * bits_of(c.twos) + 4.0 * bits_of(c.fours) -
 		8.0 * bits_of(c.eights);
-	float covered = bits_of(positive), shared = bits_of(several);
+	float covered = bits_of(positive), twice = bits_of(several);
 	float open = SAMPLES - covered;
-	// Without any that are shared it is the sum.
-	float exposed = shared > 0.0 ? open / (open + shared) : 1.0;
+	// Without any that are covered twice it is the sum.
+	float exposed = twice > 0.0 ? open / (open + twice) : 1.0;
 	return covered / SAMPLES + (sum - total / SAMPLES) * exposed;
 }

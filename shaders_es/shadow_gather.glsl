@@ -131,8 +131,9 @@ origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 	// Behind all that casts, where no map need be asked.
 	origin from = origin((tile_at + 0.5) / tile_count, int(tile.y >> 24) - 128, 2.0,
 		vec2(0.0));
+	bool among = light_arrives && r.s.z <= uintBitsToFloat(tile.w);
 	// A loop, since some drivers run a branch that no pixel takes.
-	for (bool among = r.s.z <= uintBitsToFloat(tile.w); among; among = false)
+	for (; among; among = false)
 		from = origin_among(r, from);
 	return from;
 }
@@ -179,6 +180,13 @@ void add_edge(inout sums sum, edge edge, receiver r)
 	sum.hits++;
 }
 
+// Whether an edge leads from its end v outside the disc farther away, so that none of it is before
+// the disc. most: square of the radius.
+bool leads_away(vec2 v, float before, vec2 along, float most)
+{
+	return before > 0.0 && dot(v, along) > 0.0 && dot(v, v) > most * before * before;
+}
+
 // Walks along the tile's chains. An edge between the origin and the receiver is one that a sheet
 // starts or ends at.
 sums walk(receiver r, origin from, int first, int end)
@@ -217,7 +225,9 @@ sums walk(receiver r, origin from, int first, int end)
 				sum.winding += int(edge.side >= 0.0) - int(side_origin >= 0.0);
 			vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
 			hit = max(edge.before_a, edge.before_b) > 0.0 &&
-				edge.side * edge.side < most * dot(along, along);
+				edge.side * edge.side < most * dot(along, along) &&
+				!leads_away(edge.a, edge.before_a, along, most) &&
+				!leads_away(edge.b, edge.before_b, -along, most);
 		}
 		// A loop, as above.
 		for (; hit; hit = false)
@@ -235,7 +245,7 @@ float shadow_visibility(vec3 p)
 	uvec4 tile = texelFetch(edge_tiles, ivec2(tile_at), 0);
 	origin from = origin_of(r, tile, tile_at);
 	int first = int(tile.x), edges = int(tile.y & 0xffffffu);
-	bool any_before = inside && from.depth > uintBitsToFloat(tile.z);
+	bool any_before = inside && light_arrives && from.depth > uintBitsToFloat(tile.z);
 	sums sum = walk(r, from, first, any_before ? first + edges : first);
 	if (!inside)
 		return 1.0;

@@ -44,11 +44,13 @@ bool faces_light()
 void main()
 {
 	float v = 1.0;
+#ifdef LIT
+	bool faces = faces_light();
 #ifdef SHADOWED
+	light_arrives = faces;
 	v = clamp(shadow_visibility(surface_position), 0.0, 1.0);
 #endif
-#ifdef LIT
-	v = faces_light() ? v : 0.0;
+	v = faces ? v : 0.0;
 #endif
 	float steps = floor(v * 65535.0 + 0.5);
 	float high = floor(steps / 256.0);
@@ -83,7 +85,9 @@ void main()
 	float n_up = gl_FrontFacing ? surface_up : -surface_up;
 	vec3 received = mix(ambient_ground, ambient_sky, 0.5 + 0.5 * n_up);
 #ifdef SHADOWED
-	received += light_color * (strength() * shadow_visibility(surface_position));
+	float unshadowed = strength();
+	light_arrives = unshadowed > 0.0;
+	received += light_color * (unshadowed * shadow_visibility(surface_position));
 #elif defined(LIT)
 	received += light_color * strength();
 #endif
