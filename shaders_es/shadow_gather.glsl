@@ -59,14 +59,24 @@ sheet sheet_of(uvec2 texel)
 	return sheet(uintBitsToFloat(texel.x), slope);
 }
 
-// Whether a sheet of the texel that is `off` from the receiver is before it: both its own plane where
-// the receiver is, which leaves a floor beside a wall lit, and it itself before the receiver's plane
-// there, which leaves a curved surface lit.
+float noise_of(sheet sheet, receiver r)
+{
+	return r.noise + snap * (abs(sheet.slope.x) + abs(sheet.slope.y));
+}
+
+// Whether the plane of a sheet, of the texel that is `off` from the receiver, is before that, which
+// leaves a floor beside a wall lit.
+bool is_before(sheet sheet, receiver r, vec2 off)
+{
+	return sheet.depth - dot(sheet.slope, off) + noise_of(sheet, r) < r.s.z;
+}
+
+// Whether the sheet itself is before the receiver's plane there as well, which leaves a curved
+// surface lit.
 bool blocks(sheet sheet, receiver r, vec2 off)
 {
-	float noise = r.noise + snap * (abs(sheet.slope.x) + abs(sheet.slope.y));
-	return sheet.depth - dot(sheet.slope, off) + noise < r.s.z &&
-		sheet.depth + noise < r.s.z + dot(r.slope, off);
+	return is_before(sheet, r, off) &&
+		sheet.depth + noise_of(sheet, r) < r.s.z + dot(r.slope, off);
 }
 
 // How far the sheet is from the receiver's plane, where from 1 on it is another surface than the
@@ -78,16 +88,20 @@ float strangeness(sheet sheet, receiver r, vec2 off)
 }
 
 // A point from which the winding number is carried to the receiver, and what it is there. Edges in
-// between count where they are before a plane through `depth` at the receiver.
+// between count where they are before a plane through `depth` at the receiver; behind it, and by no
+// more than `own_depth`, they are of the receiver's own sheet. Where that begins on the way from a
+// texel that does not have it, its plane means nothing there: `seen` sheets are before the receiver.
 struct origin {
 	vec2 at;
-	int winding;
-	float depth;
+	int winding, seen;
+	float depth, own_depth;
 	vec2 slope;
 };
 
-// Where a sheet is the receiver's own to less than this, no better texel is looked for.
-const float OWN = 0.2;
+// To so much a sheet is the receiver's own without doubt; a texel farther off is a better one if its
+// sheet is that much less strange.
+const float CERTAIN = 0.02;
+const float BETTER = 0.2;
 
 // The sheets before the receiver at the nearest texel; if it casts itself, at that of the four
 // nearest where its own sheet is best found among them, which is left out.
@@ -97,8 +111,8 @@ origin origin_among(receiver r, origin middle)
 	vec2 place = r.s.xy * map_size.x, nearest = floor(place);
 	vec2 beside = vec2(place.x - nearest.x < 0.5 ? -1.0 : 1.0,
 		place.y - nearest.y < 0.5 ? -1.0 : 1.0);
-	float best = 2.0;
-	for (int i = 0; i < (casts ? 4 : 1) && best >= OWN; i++) {
+	float best = 1.0 + BETTER;
+	for (int i = 0; i < (casts ? 4 : 1) && best >= CERTAIN; i++) {
 		vec2 texel = nearest + beside * vec2(float(i & 1), float(i >> 1));
 		texel = clamp(texel, vec2(0.0), vec2(map_size.x - 1.0));
 		vec2 off = (texel + 0.5) * map_size.y - r.s.xy;
@@ -108,20 +122,23 @@ origin origin_among(receiver r, origin middle)
 		float strange_second = casts ? strangeness(second, r, off) : 2.0;
 		float strange = min(strange_front, strange_second);
 		bool own = strange <= 1.0;
-		if (i > 0 && (!own || strange >= best))
+		if (i > 0 && (!own || strange >= best - BETTER))
 			continue;
-		best = strange;
+		best = own ? strange : 1.0 + BETTER;
 		bool own_front = own && strange_front <= strange_second;
 		int blocking = int(blocks(front, r, off) && !own_front) +
 			int(blocks(second, r, off) && !(own && !own_front));
 		// Where both layers are before the receiver more sheets may be: all that are in line
 		// are counted, and those behind the receiver with them, less its own.
 		bool full = blocking == 2;
-		bool lower = dot(r.slope, off) < 0.0;
+		float rise = dot(r.slope, off);
 		from.at = full ? middle.at : off + r.s.xy;
 		from.winding = full ? middle.winding - int(casts) : blocking;
+		from.seen = full || !casts || strange < CERTAIN ? from.winding :
+			int(is_before(front, r, off)) + int(is_before(second, r, off));
 		from.depth = full ? middle.depth : r.s.z - r.noise;
-		from.slope = lower && !full ? r.slope : vec2(0.0);
+		from.own_depth = full ? 0.0 : 2.0 * r.noise + max(rise, 0.0);
+		from.slope = rise < 0.0 && !full ? r.slope : vec2(0.0);
 	}
 	return from;
 }
@@ -129,8 +146,8 @@ origin origin_among(receiver r, origin middle)
 origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 {
 	// Behind all that casts, where no map need be asked.
-	origin from = origin((tile_at + 0.5) / tile_count, int(tile.y >> 24) - 128, 2.0,
-		vec2(0.0));
+	int winding = int(tile.y >> 24) - 128;
+	origin from = origin((tile_at + 0.5) / tile_count, winding, winding, 2.0, 0.0, vec2(0.0));
 	bool among = light_arrives && r.s.z <= uintBitsToFloat(tile.w);
 	// A loop, since some drivers run a branch that no pixel takes.
 	for (; among; among = false)
@@ -140,7 +157,8 @@ origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 
 // What is summed over the edges of a tile.
 struct sums {
-	int winding;
+	int winding;  // gained on the way from the origin
+	int own;      // of that by the receiver's own sheet
 	float behind; // shares of the disc behind edges
 	counters seen;
 	int hits;
@@ -191,7 +209,7 @@ bool leads_away(vec2 v, float before, vec2 along, float most)
 // starts or ends at.
 sums walk(receiver r, origin from, int first, int end)
 {
-	sums sum = sums(from.winding, 0.0, counters(uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u)), 0);
+	sums sum = sums(0, 0, 0.0, counters(uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u)), 0);
 	vec2 path = r.s.xy - from.at;
 	edge edge;
 	float across_b = 0.0, above_b = 0.0;
@@ -217,12 +235,14 @@ sums walk(receiver r, origin from, int first, int end)
 				end = from.depth > v.w - 1.0 ? end : i;
 				continue;
 			}
+			float past = abs(across_a - across_b);
 			float depth = above_b * across_a - above_a * across_b;
-			bool crossed = (across_a < 0.0) != (across_b < 0.0) &&
-				(across_a < across_b ? depth < 0.0 : depth > 0.0);
+			depth = across_a < across_b ? -depth : depth;
 			float side_origin = edge.side - across_a + across_b;
-			if (crossed)
-				sum.winding += int(edge.side >= 0.0) - int(side_origin >= 0.0);
+			int turn = int(edge.side >= 0.0) - int(side_origin >= 0.0);
+			turn = (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
+			sum.winding += depth > 0.0 ? turn : 0;
+			sum.own += depth <= 0.0 && depth >= -from.own_depth * past ? turn : 0;
 			vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
 			hit = max(edge.before_a, edge.before_b) > 0.0 &&
 				edge.side * edge.side < most * dot(along, along) &&
@@ -249,7 +269,7 @@ float shadow_visibility(vec3 p)
 	sums sum = walk(r, from, first, any_before ? first + edges : first);
 	if (!inside)
 		return 1.0;
-	sum.winding = max(sum.winding, 0);
+	sum.winding = max(sum.winding + (sum.own > 0 ? from.seen : from.winding), 0);
 	float covered = float(sum.winding) - sum.behind / TURN;
 	// Only edges leave a part of the disc.
 	for (bool partly = sum.hits > 0 && sum.winding <= WINDING_MAX; partly; partly = false) {
