@@ -147,6 +147,14 @@ static const struct study penumbra_map = {
 	.outside_wrong = {20, 28, 1084, 65, 324, 521},
 };
 
+/* The study knew two layers of sheets, and no way to tell a caster's own sheet. */
+static const struct study gather = {
+	.technique = "shadow.technique=gather",
+	.means = {0.014, 0.013, 0.027},
+	.outside_wrong = {20, 20, 20, 20, 20, 20},
+	.or_better = true,
+};
+
 static void draw_scene(struct visibility *seen, struct rig *rig, const struct study *study,
 	const char *scene, double share)
 {
@@ -291,6 +299,11 @@ static void penumbra_maps_are_as_wrong_as_in_the_study(void **state)
 	check_study(*state, &penumbra_map);
 }
 
+static void gather_is_no_more_wrong_than_in_the_study(void **state)
+{
+	check_study(*state, &gather);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -308,6 +321,7 @@ int main(void)
 		rig_test(sixty_four_maps_are_no_worse_than_in_the_study),
 		rig_test(two_sided_smoothies_are_no_more_wrong_than_in_the_study),
 		rig_test(penumbra_maps_are_as_wrong_as_in_the_study),
+		rig_test(gather_is_no_more_wrong_than_in_the_study),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

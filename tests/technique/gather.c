@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+/* Penumbrae from silhouette edges. */
+#include "parts.h"
+#include "visibility.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define SIZE 128
+
+/* Looks down on the ground, y = 0, of which it sees |x|, |z| < HALF. */
+#define HALF 1.6076952
+static const struct sm_camera overhead = {.eye = {0, 6, 0}, .up = {0, 0, -1}, .fov = 30};
+
+static const struct sm_light_desc sun = {
+	.type = SM_LIGHT_DIRECTIONAL, .position = {4, 5, 0}, .radius = 0.32f};
+static const struct sm_light_desc lamp = {.position = {4, 5, 0}, .radius = 0.3f, .angle = 60};
+
+/* A slab long in z, one above the ground, whose shadow falls to the left of it. */
+static void add_slab(struct rig *rig)
+{
+	parts_add_object(rig->scene, parts_add_cube(rig->scene), PART_BOTH,
+		&(struct pose){{0.5f, 0.05f, 3}, 0, {0, 1, 0}});
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
+}
+
+/* Blocks in a row, one behind the other as the light sees them, that turn more and more. */
+static void add_blocks(struct rig *rig, int count)
+{
+	uint32_t cube = parts_add_cube(rig->scene);
+	for (int i = 0; i < count; i++)
+		parts_add_object(rig->scene, cube, PART_BOTH,
+			&(struct pose){{0.2f, 0.1f, 0.3f}, 20.0f * (float)i,
+				{-0.2f * (float)(i % 5), 0.25f + 0.3f * (float)(i / 5), 0}});
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
+}
+
+static struct visibility draw(struct rig *rig, const char *technique, uint32_t map_size)
+{
+	struct visibility seen;
+	rig_set_shadows(
+		rig, &(struct sm_shadow_options){.technique = technique, .map_size = map_size});
+	visibility_draw(&seen, rig, rig->scene, &overhead, SIZE, SIZE);
+	return seen;
+}
+
+static void assert_same(const struct visibility *a, const struct visibility *b)
+{
+	assert_int_equal(visibility_compare(a, b).differing, 0);
+}
+
+static void a_point_makes_hard_shadows(void **state)
+{
+	struct rig *rig = *state;
+	static const uint32_t sizes[] = {0, 300, 1024};
+	struct sm_light_desc point = lamp;
+	point.radius = 0;
+	add_blocks(rig, 10);
+	parts_add_light(rig->scene, &point);
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		struct visibility gather = draw(rig, "gather", sizes[i]);
+		struct visibility hard = draw(rig, "hard", sizes[i]);
+		assert_same(&gather, &hard);
+		visibility_finish(&gather);
+		visibility_finish(&hard);
+	}
+}
+
+/* What is seen of the sun's disc from (x, 0), left of the slab's shadow: the part on one side of
+ * the slab's upper left edge. */
+static double sun_beside_slab(double x)
+{
+	double length = sqrt(41.0), d[2] = {4 / length, 5 / length}, e[2] = {-0.5 - x, 1.05};
+	double off = (e[0] * d[1] - e[1] * d[0]) / (e[0] * d[0] + e[1] * d[1]);
+	double s = fmax(-1, fmin(off / (0.32 / length), 1));
+	return 1 - (acos(s) - s * sqrt(1 - s * s)) / M_PI;
+}
+
+static void a_straight_edge_cuts_the_disc(void **state)
+{
+	struct rig *rig = *state;
+	add_slab(rig);
+	parts_add_light(rig->scene, &sun);
+	struct visibility seen = draw(rig, "gather", 512);
+	int partly = 0;
+	for (uint32_t x = 0; x < SIZE / 4; x++) {
+		double at = ((x + 0.5) / SIZE * 2 - 1) * HALF;
+		double expected = sun_beside_slab(at);
+		double found = visibility_at(&seen, x, SIZE / 2);
+		print_message("%.3f: %.4f, expected %.4f\n", at, found, expected);
+		assert_true(fabs(found - expected) < 0.001);
+		partly += expected > 0 && expected < 1;
+	}
+	assert_true(partly >= 4);
+	visibility_finish(&seen);
+}
+
+static void map_sizes_make_no_difference(void **state)
+{
+	struct rig *rig = *state;
+	static const uint32_t sizes[] = {129, 333, 1024};
+	add_blocks(rig, 10);
+	parts_add_light(rig->scene, &lamp);
+	struct visibility usual = draw(rig, "gather", 512);
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		struct visibility other = draw(rig, "gather", sizes[i]);
+		struct visibility_change change = visibility_compare(&usual, &other);
+		print_message("%u texels: mean %g, off %g\n", sizes[i], change.mean, change.off);
+		assert_true(change.mean < 0.002 && change.off < 0.01);
+		visibility_finish(&other);
+	}
+	visibility_finish(&usual);
+}
+
+static void lights_do_not_disturb_each_other(void **state)
+{
+	struct rig *rig = *state;
+	add_blocks(rig, 10);
+	uint32_t light = parts_add_light(rig->scene, &sun);
+	struct visibility alone = draw(rig, "gather", 512);
+	parts_add_light(rig->scene, &lamp);
+	struct sm_light_desc point = lamp;
+	point.radius = 0;
+	parts_add_light(rig->scene, &point);
+	struct visibility among = draw(rig, "gather", 512);
+	assert_int_equal(light, 0);
+	assert_same(&alone, &among);
+	visibility_finish(&alone);
+	visibility_finish(&among);
+}
+
+/* A light may become a point and a disc again. */
+static void a_radius_may_change(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_error error;
+	struct sm_light_desc changed = lamp;
+	add_blocks(rig, 5);
+	uint32_t light = parts_add_light(rig->scene, &lamp);
+	struct visibility first = draw(rig, "gather", 512), between, again;
+	changed.radius = 0;
+	assert_true(sm_scene_set_light(rig->scene, light, &changed, &error));
+	visibility_draw(&between, rig, rig->scene, &overhead, SIZE, SIZE);
+	assert_true(visibility_compare(&first, &between).off > 0.01);
+	assert_true(sm_scene_set_light(rig->scene, light, &lamp, &error));
+	visibility_draw(&again, rig, rig->scene, &overhead, SIZE, SIZE);
+	assert_same(&first, &again);
+	visibility_finish(&first);
+	visibility_finish(&between);
+	visibility_finish(&again);
+}
+
+/* Each of very many edges is before the disc everywhere: more than the lists have room for. */
+static void too_many_edges_are_left_out(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_light_desc wide = lamp;
+	wide.radius = 3;
+	uint32_t sphere = parts_add_sphere(rig->scene, 64);
+	for (int i = 0; i < 9; i++)
+		parts_add_object(rig->scene, sphere, PART_BOTH,
+			&(struct pose){{0.1f, 0.1f, 0.1f}, 0,
+				{0.3f * (float)(i % 3) - 0.3f, 1, 0.3f * (float)(i / 3) - 0.3f}});
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
+	parts_add_light(rig->scene, &wide);
+	struct visibility seen = draw(rig, "gather", 512);
+	double shadow = visibility_at(&seen, SIZE / 4, SIZE / 2);
+	print_message("%g in the shadow\n", shadow);
+	assert_true(shadow > 0.5 && shadow < 0.95);
+	visibility_finish(&seen);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		rig_test(a_point_makes_hard_shadows),
+		rig_test(a_straight_edge_cuts_the_disc),
+		rig_test(map_sizes_make_no_difference),
+		rig_test(lights_do_not_disturb_each_other),
+		rig_test(a_radius_may_change),
+		rig_test(too_many_edges_are_left_out),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
