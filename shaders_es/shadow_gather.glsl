@@ -128,12 +128,12 @@ origin origin_among(receiver r, origin middle)
 		bool own_front = own && strange_front <= strange_second;
 		int blocking = int(blocks(front, r, off) && !own_front) +
 			int(blocks(second, r, off) && !(own && !own_front));
-		// Where both layers are before the receiver more sheets may be: all that are in line
-		// are counted, and those behind the receiver with them, less its own.
-		bool full = blocking == 2;
+		// Where both layers are before the receiver more sheets may be: of what does not cast
+		// it is taken that it lies behind all that are in line.
+		bool full = !casts && blocking == 2;
 		float rise = dot(r.slope, off);
 		from.at = full ? middle.at : off + r.s.xy;
-		from.winding = full ? middle.winding - int(casts) : blocking;
+		from.winding = full ? middle.winding : blocking;
 		from.seen = full || !casts || strange < CERTAIN ? from.winding :
 			int(is_before(front, r, off)) + int(is_before(second, r, off));
 		from.depth = full ? middle.depth : r.s.z - r.noise;

@@ -8,7 +8,7 @@ uniform float screen_scale; // window x, y = scale x, y / w + 1/2
 uniform vec3 screen_depth;  // window depth = x + y / w + z z
 
 // Whether it makes a difference how much of the light is seen: a technique need not find it else.
-bool light_arrives;
+bool light_arrives = true;
 
 // Window coordinates on the light's screen. Beside it they lead to the map's border texels, which
 // hold no caster; long before the near plane, and behind a spot, w stays at its least, where depth

@@ -50,7 +50,8 @@ static bool draw_shadows(
 		return error_no_memory(error);
 	for (uint32_t i = 0; i < last - first; i++) {
 		struct shadowed_light *light = &renderer->lights[i];
-		light_frame_init(&light->frame, &pass->scene->lights[first + i].desc, pass->scene);
+		(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
+			&light->frame, &pass->scene->lights[first + i].desc, pass->scene);
 		light->shadow = shadow_set_prepare(&renderer->shadows, &renderer->gpu, pass->scene,
 			i, &light->frame, &view, error);
 		if (light->shadow == NULL)

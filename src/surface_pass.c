@@ -309,12 +309,14 @@ static void map_needs(struct surface_pass *pass)
 {
 	const struct sm_renderer *renderer = pass->renderer;
 	const struct technique *technique = renderer->shadows.technique;
-	if (pass->light != NULL && has_parts(renderer))
-		need_map_find(&pass->need_map, &renderer->gpu.scene, pass->scene, pass->frame,
-			technique->soft_grid != NULL ? technique->soft_grid(pass->shadow) : NULL,
-			technique->reach != NULL ? technique->reach(pass->shadow, pass->frame)
-						 : 0.0f,
-			renderer->shadows.options.map_size);
+	if (pass->light == NULL || !has_parts(renderer))
+		return;
+	need_map_find(&pass->need_map, &renderer->gpu.scene, pass->scene, pass->frame,
+		technique->soft_grid != NULL ? technique->soft_grid(pass->shadow) : NULL,
+		technique->reach != NULL ? technique->reach(pass->shadow, pass->frame) : 0.0f,
+		renderer->shadows.options.map_size);
+	/* The cone may be wider than the screen. */
+	pass->need_map.cone = pass->need_map.cone && !technique->fits_screen;
 }
 
 bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)

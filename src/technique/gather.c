@@ -292,6 +292,7 @@ const struct technique technique_gather = {
 	.name = "gather",
 	.summary = "the light's disc cut by all silhouette edges before it, for each pixel",
 	.state_size = sizeof(struct gather),
+	.fits_screen = true,
 	.init = gather_init,
 	.finish = gather_finish,
 	.prepare = gather_prepare,

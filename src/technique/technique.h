@@ -30,6 +30,7 @@ struct technique {
 	/* Of options.samples, the default first; ends with 0. All 0: it is not used. */
 	uint32_t samples[SAMPLE_CHOICES_MAX + 1];
 	size_t state_size; /* zeroed before init */
+	bool fits_screen;  /* the light's screen may be what shadows fall on alone */
 
 	/** options: every 0 replaced by its default, where it has one. */
 	bool (*init)(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
