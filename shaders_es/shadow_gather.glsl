@@ -84,7 +84,8 @@ bool blocks(sheet sheet, receiver r, vec2 off)
 float strangeness(sheet sheet, receiver r, vec2 off)
 {
 	float turn = dot(abs(sheet.slope - r.slope), abs(off));
-	return abs(sheet.depth - r.s.z - dot(r.slope, off)) / (1.5 * turn + r.noise);
+	float apart = abs(sheet.depth - r.s.z - dot(r.slope, off));
+	return max(apart - r.noise, 0.0) / (1.5 * turn + r.noise);
 }
 
 // A point from which the winding number is carried to the receiver, and what it is there. Edges in

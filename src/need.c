@@ -58,15 +58,15 @@ void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const stru
 	const struct light_frame *frame, const struct screen_grid *soft, float reach,
 	uint32_t map_size)
 {
-	*map = (struct need_map){.cone = !frame->parallel};
+	*map = (struct need_map){.cone = frame->parallel ? INFINITY : 1.0f};
 	mark_casters(&map->cells[NEED_MAP], gpu, scene, frame, reach, map_size);
 	map->cells[NEED_TECHNIQUE] = soft != NULL ? *soft : map->cells[NEED_MAP];
 }
 
 enum need need_of_rectangle(const struct need_map *map, const float min[2], const float max[2])
 {
-	bool beside = max[0] < -1.0f || min[0] > 1.0f || max[1] < -1.0f || min[1] > 1.0f;
-	if (map->cone && beside)
+	float cone = map->cone;
+	if (max[0] < -cone || min[0] > cone || max[1] < -cone || min[1] > cone)
 		return NEED_AMBIENT;
 	enum need need = NEED_TECHNIQUE;
 	while (need > NEED_LIGHT && !screen_grid_touches(&map->cells[need], min, max))

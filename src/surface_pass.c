@@ -315,8 +315,10 @@ static void map_needs(struct surface_pass *pass)
 		technique->soft_grid != NULL ? technique->soft_grid(pass->shadow) : NULL,
 		technique->reach != NULL ? technique->reach(pass->shadow, pass->frame) : 0.0f,
 		renderer->shadows.options.map_size);
-	/* The cone may be wider than the screen. */
-	pass->need_map.cone = pass->need_map.cone && !technique->fits_screen;
+	/* The cone is as wide as the screen, unless that is fitted. */
+	if (technique->fits_screen && !pass->frame->parallel)
+		pass->need_map.cone *=
+			tanf(glm_rad(pass->light->angle) / 2.0f) / pass->frame->half_extent;
 }
 
 bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)
