@@ -250,8 +250,7 @@ sums walk(receiver r, origin from, int first, int end)
 				!leads_away(edge.a, edge.before_a, along, most) &&
 				!leads_away(edge.b, edge.before_b, -along, most);
 		}
-		// A loop, as above.
-		for (; hit; hit = false)
+		if (hit)
 			add_edge(sum, edge, r);
 	}
 	return sum;
