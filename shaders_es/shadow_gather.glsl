@@ -272,7 +272,7 @@ float shadow_visibility(vec3 p)
 	sum.winding = max(sum.winding + (sum.own > 0 ? from.seen : from.winding), 0);
 	float covered = float(sum.winding) - sum.behind / TURN;
 	// Only edges leave a part of the disc.
-	for (bool partly = sum.hits > 0 && sum.winding <= WINDING_MAX; partly; partly = false) {
+	if (sum.hits > 0 && sum.winding <= WINDING_MAX) {
 		for (int i = 0; i < sum.winding; i++)
 			count(sum.seen, uvec2(~0u), 0u);
 		covered = covered_share(sum.seen, covered);
