@@ -105,15 +105,16 @@ const float CERTAIN = 0.02;
 const float BETTER = 0.2;
 
 // The sheets before the receiver at the nearest texel; if it casts itself, at that of the four
-// nearest where its own sheet is best found among them, which is left out.
-origin origin_among(receiver r, origin middle)
+// nearest where its own sheet is best found among them, which is left out. tries: 4, 1, or 0 to leave
+// it all as it is: a loop is passed over where no pixel runs it, which not all drivers do with a branch.
+origin origin_among(receiver r, origin middle, int tries)
 {
 	origin from = middle;
 	vec2 place = r.s.xy * map_size.x, nearest = floor(place);
 	vec2 beside = vec2(place.x - nearest.x < 0.5 ? -1.0 : 1.0,
 		place.y - nearest.y < 0.5 ? -1.0 : 1.0);
 	float best = 1.0 + BETTER;
-	for (int i = 0; i < (casts ? 4 : 1) && best >= CERTAIN; i++) {
+	for (int i = 0; i < tries && best >= CERTAIN; i++) {
 		vec2 texel = nearest + beside * vec2(float(i & 1), float(i >> 1));
 		texel = clamp(texel, vec2(0.0), vec2(map_size.x - 1.0));
 		vec2 off = (texel + 0.5) * map_size.y - r.s.xy;
@@ -150,10 +151,7 @@ origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 	int winding = int(tile.y >> 24) - 128;
 	origin from = origin((tile_at + 0.5) / tile_count, winding, winding, 2.0, 0.0, vec2(0.0));
 	bool among = light_arrives && r.s.z <= uintBitsToFloat(tile.w);
-	// A loop, since some drivers run a branch that no pixel takes.
-	for (; among; among = false)
-		from = origin_among(r, from);
-	return from;
+	return origin_among(r, from, !among ? 0 : casts ? 4 : 1);
 }
 
 // What is summed over the edges of a tile.
