@@ -81,6 +81,10 @@ static double sun_beside_slab(double x)
 	return 1 - (acos(s) - s * sqrt(1 - s * s)) / M_PI;
 }
 
+/* Edges are moved to the raster grid, by half a step at most: with the four bits of some drivers
+ * that is .004 of the disc's radius here. */
+#define SNAP 0.003
+
 static void a_straight_edge_cuts_the_disc(void **state)
 {
 	struct rig *rig = *state;
@@ -93,7 +97,7 @@ static void a_straight_edge_cuts_the_disc(void **state)
 		double expected = sun_beside_slab(at);
 		double found = visibility_at(&seen, x, SIZE / 2);
 		print_message("%.3f: %.4f, expected %.4f\n", at, found, expected);
-		assert_true(fabs(found - expected) < 0.001);
+		assert_true(fabs(found - expected) < SNAP);
 		partly += expected > 0 && expected < 1;
 	}
 	assert_true(partly >= 4);
