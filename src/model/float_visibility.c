@@ -7,7 +7,8 @@
 #include <string.h>
 
 static const struct model_technique *const techniques[] = {&model_smoothie, &model_two_sided,
-	&model_penumbra_map, &model_hard, &model_pcf, &model_pcss, &model_vsm, &model_maps};
+	&model_penumbra_map, &model_hard, &model_pcf, &model_pcss, &model_vsm, &model_maps,
+	&model_gather};
 
 static const struct model_technique *find_technique(const char *name)
 {
@@ -37,6 +38,7 @@ static uint16_t value_at(const struct scenery *scenery, int x, int y)
 		struct receiver receiver = receiver_of(&surface, &scenery->light);
 		receiver.pixel[0] = x;
 		receiver.pixel[1] = y;
+		receiver.casts = pixel->object->casts;
 		v = scenery->technique->visibility(scenery->state, &receiver);
 	}
 	return (uint16_t)floor(fmin(fmax(v, 0.0), 1.0) * 65535.0 + 0.5);

@@ -8,6 +8,7 @@
 /** A surface on the light's screen, window coordinates [0, 1]. */
 struct receiver {
 	int pixel[2];       /* of the picture, from the lower left */
+	bool casts;         /* it is a sheet of a caster too */
 	double position[3]; /* light space */
 	double at[2], depth;
 	double slope[2]; /* how window depth grows along window x and y on its plane; their sum is

@@ -17,6 +17,7 @@ struct model_technique {
 };
 
 extern const struct model_technique model_smoothie, model_penumbra_map, model_two_sided;
-extern const struct model_technique model_hard, model_pcf, model_pcss, model_vsm, model_maps;
+extern const struct model_technique model_hard, model_pcf, model_pcss, model_vsm, model_maps,
+	model_gather;
 
 #endif

@@ -1,0 +1,484 @@
+/* SPDX-License-Identifier: MIT */
+/* Penumbrae from silhouette edges (docs/gather.md): the share of the light's disc that blockers
+ * cover, of the sheets before its centre and a term for each edge. */
+#include "base/array.h"
+#include "base/error.h"
+#include "model/technique.h"
+#include "model/transform.h"
+#include "scene/edge_grid.h"
+#include "technique/disc_mask.h"
+#include <stdlib.h>
+#include <string.h>
+
+#define LAYERS 3
+#define LAYER_SIZE_MAX 512
+#define TILES 32
+#define VERTICES_MAX (96 * 1024)
+/* A layer without a sheet, behind all there is. */
+#define NOWHERE 2.0f
+/* How far the receiver's sheet may have bent away from its plane on the way to a texel, over what
+ * the slopes at both ends make of one bend; and below which share of that no better is sought. */
+#define BEND_MAX 1.5
+#define BEND_FLAT 0.2
+
+/* Of the casters at a texel's centre. */
+struct sheet {
+	float depth;
+	double slope[2]; /* over window x and y */
+};
+
+struct gather {
+	struct model_light light; /* with the size of the layers */
+	struct edge_grid grid;
+	struct sheet *layers[LAYERS]; /* each behind the one before, [size * size]; owned */
+	uint32_t (*masks)[2];         /* of disc_mask_table(), owned */
+	void *hard;                   /* state of model_hard, for a point; owned */
+	double snap;                  /* by how much points of edges and sheets are moved */
+};
+
+/* What draws a layer. */
+struct layering {
+	struct sheet *layer;
+	const struct sheet *front; /* the layer before; NULL: none */
+	int size;
+};
+
+static void keep_sheet(
+	void *data, const struct raster_triangle *triangle, int x, int y, double depth)
+{
+	const struct layering *layering = data;
+	size_t texel = (size_t)y * (size_t)layering->size + (size_t)x;
+	float rounded = model_round_depth(depth);
+	if (layering->front != NULL && rounded <= layering->front[texel].depth + (float)DEPTH_STEP)
+		return;
+	if (rounded < layering->layer[texel].depth)
+		layering->layer[texel] = (struct sheet){rounded,
+			{triangle->depth.dx * layering->size, triangle->depth.dy * layering->size}};
+}
+
+static bool draw_sheets(
+	struct layering *layering, const struct gather *gather, const struct object *object)
+{
+	const struct mesh *mesh = &gather->light.scene->meshes[object->mesh];
+	const struct caster *caster = &mesh->caster;
+	struct raster_area area = model_map_area(&gather->light);
+	mat4 to_clip;
+	glm_mat4_mul((vec4 *)gather->light.frame.world_to_clip, (vec4 *)object->transform, to_clip);
+	struct sheet_rule rule = mesh_sheet_rule(mesh, (vec4 *)object->transform, to_clip);
+	double(*corners)[4] =
+		transform_all(to_clip, (const float(*)[3])caster->positions, caster->vertex_count);
+	if (corners == NULL)
+		return false;
+	for (size_t i = 0; i < caster->triangle_count; i++) {
+		double triangle[3][4];
+		area.kept = i >= rule.one_sided ? RASTER_ALL
+			    : rule.mirrored     ? RASTER_BACK
+						: RASTER_FRONT;
+		pick_corners((const double(*)[4])corners, &caster->indices[3 * i], triangle);
+		raster_draw(&area, (const double(*)[4])triangle, keep_sheet, layering);
+	}
+	free(corners);
+	return true;
+}
+
+static bool draw_layer(struct gather *gather, int layer)
+{
+	const struct sm_scene *scene = gather->light.scene;
+	int size = gather->light.size;
+	size_t count = (size_t)size * (size_t)size;
+	gather->layers[layer] = array_alloc(count, sizeof(struct sheet));
+	if (gather->layers[layer] == NULL)
+		return false;
+	for (size_t i = 0; i < count; i++)
+		gather->layers[layer][i] = (struct sheet){.depth = NOWHERE};
+	struct layering layering = {
+		.layer = gather->layers[layer],
+		.front = layer > 0 ? gather->layers[layer - 1] : NULL,
+		.size = size,
+	};
+	for (size_t i = 0; i < scene->object_count; i++)
+		if (scene->objects[i].casts && !draw_sheets(&layering, gather, &scene->objects[i]))
+			return false;
+	return true;
+}
+
+static bool init_point(
+	struct gather *gather, const struct model_light *light, struct sm_error *error)
+{
+	gather->hard = calloc(1, model_hard.state_size);
+	if (gather->hard == NULL)
+		return error_no_memory(error);
+	return model_hard.init(gather->hard, light, error);
+}
+
+static bool init(void *state, const struct model_light *light, struct sm_error *error)
+{
+	struct gather *gather = state;
+	gather->light = *light;
+	if (light->frame.disc == 0.0f)
+		return init_point(gather, light, error);
+	if (gather->light.size > LAYER_SIZE_MAX)
+		gather->light.size = LAYER_SIZE_MAX;
+	const struct edge_grid_options options = {
+		.tiles = TILES,
+		.map_size = (uint32_t)gather->light.size,
+		.subpixel_bits = light->snap_bits > 0 ? (uint32_t)light->snap_bits : 8,
+		.vertices_max = VERTICES_MAX,
+	};
+	gather->snap = ldexp(0.5 / gather->light.size, -(int)options.subpixel_bits);
+	gather->masks = array_alloc(DISC_MASK_ANGLES * DISC_MASK_DISTANCES, sizeof(*gather->masks));
+	bool made = gather->masks != NULL &&
+		    edge_grid_find(&gather->grid, light->scene, &light->frame, &options);
+	for (int i = 0; i < LAYERS && made; i++)
+		made = draw_layer(gather, i);
+	if (made)
+		disc_mask_table(gather->masks);
+	return made || error_no_memory(error);
+}
+
+static void finish(void *state)
+{
+	struct gather *gather = state;
+	if (gather->hard != NULL)
+		model_hard.finish(gather->hard);
+	free(gather->hard);
+	free(gather->masks);
+	for (int i = 0; i < LAYERS; i++)
+		free(gather->layers[i]);
+	edge_grid_finish(&gather->grid);
+}
+
+static double dot(const double a[2], const double b[2])
+{
+	return a[0] * b[0] + a[1] * b[1];
+}
+
+static double cross(const double a[2], const double b[2])
+{
+	return a[0] * b[1] - a[1] * b[0];
+}
+
+static double length_1(const double v[2])
+{
+	return fabs(v[0]) + fabs(v[1]);
+}
+
+/* A receiver and how it sees the disc: along (e, 1) from a spot. What is beside it by v on the
+ * light's screen is beside the disc's centre by v - k e (e v) over the depth before the plane
+ * through the receiver that the disc is parallel to. */
+struct eye {
+	const struct receiver *receiver;
+	double noise; /* of depths on the receiver's plane */
+	double e[2], k;
+	double tilt[2]; /* slope of the plane parallel to the disc */
+	double scale;   /* radius of the disc, window x or y, for each unit of depth */
+};
+
+static struct eye eye_of(const struct gather *gather, const struct receiver *receiver)
+{
+	const struct light_frame *frame = &gather->light.frame;
+	struct eye eye = {.receiver = receiver, .scale = disc_scale(frame)};
+	double tangent = frame->parallel ? 0.0 : 2.0 * (double)frame->half_extent;
+	for (int i = 0; i < 2; i++)
+		eye.e[i] = (receiver->at[i] - 0.5) * tangent;
+	double square = 1.0 + dot(eye.e, eye.e);
+	eye.k = 1.0 / (square + sqrt(square));
+	for (int i = 0; i < 2; i++)
+		eye.tilt[i] = eye.e[i] * tangent * (frame->pole - receiver->depth) / square;
+	eye.noise = DEPTH_STEP + gather->snap * receiver_rise(receiver);
+	return eye;
+}
+
+/* A point that the winding number is carried from to the receiver, along a plane. */
+struct origin {
+	double at[2];
+	int winding;
+	double slope[2];
+};
+
+/* A texel beside the receiver. */
+struct texel {
+	size_t index;
+	double at[2], off[2]; /* its centre, and how that is beside the receiver */
+};
+
+static struct texel texel_at(const struct gather *gather, const struct eye *eye, const int at[2])
+{
+	int size = gather->light.size, kept[2];
+	struct texel texel;
+	for (int i = 0; i < 2; i++) {
+		kept[i] = at[i] < 0 ? 0 : at[i] < size ? at[i] : size - 1;
+		texel.at[i] = (kept[i] + 0.5) / size;
+		texel.off[i] = texel.at[i] - eye->receiver->at[i];
+	}
+	texel.index = (size_t)kept[1] * (size_t)size + (size_t)kept[0];
+	return texel;
+}
+
+/* Which of the four texels around the receiver, nearest first. */
+static struct texel near_texel(const struct gather *gather, const struct eye *eye, int rank)
+{
+	int at[2], step[2];
+	double off[2];
+	for (int i = 0; i < 2; i++) {
+		double place = eye->receiver->at[i] * gather->light.size;
+		at[i] = (int)floor(place);
+		off[i] = place - at[i] - 0.5;
+		step[i] = off[i] < 0.0 ? -1 : 1;
+	}
+	int nearer = fabs(off[0]) < fabs(off[1]); /* axis of the second nearest */
+	if (rank == 1 || rank == 3)
+		at[nearer] += step[nearer];
+	if (rank >= 2)
+		at[1 - nearer] += step[1 - nearer];
+	return texel_at(gather, eye, at);
+}
+
+/* How far the sheet at a texel is off the receiver's plane, over how far it may be where it is the
+ * receiver's own: bent once on the way, it is off by what the slopes at both ends differ. */
+static double bend(const struct gather *gather, const struct eye *eye, const struct texel *texel,
+	const struct sheet *sheet)
+{
+	const double *slope = eye->receiver->slope;
+	double plane = eye->receiver->depth + dot(slope, texel->off);
+	double most = eye->noise + gather->snap * length_1(sheet->slope);
+	for (int i = 0; i < 2; i++)
+		most += BEND_MAX * fabs((slope[i] - sheet->slope[i]) * texel->off[i]);
+	return fabs(sheet->depth - plane) / most;
+}
+
+/* Finds the receiver's own sheet: the layer of it, and the texel; LAYERS where it is not found. */
+static int find_own(const struct gather *gather, const struct eye *eye, struct texel *found)
+{
+	int own = LAYERS;
+	double least = 1.0;
+	*found = near_texel(gather, eye, 0);
+	for (int rank = 0; rank < 4 && least >= BEND_FLAT; rank++) {
+		struct texel texel = near_texel(gather, eye, rank);
+		for (int i = 0; i < LAYERS; i++) {
+			double bent = bend(gather, eye, &texel, &gather->layers[i][texel.index]);
+			if (bent < least) {
+				least = bent;
+				own = i;
+				*found = texel;
+			}
+		}
+	}
+	return own;
+}
+
+/* Whether the sheet at a texel is before the receiver: its own plane where the receiver is, which
+ * leaves a floor beside a wall lit, and itself before the receiver's plane, which leaves a curved
+ * surface lit. */
+static bool blocks(const struct gather *gather, const struct eye *eye, const struct texel *texel,
+	const struct sheet *sheet)
+{
+	const struct receiver *receiver = eye->receiver;
+	double noise = eye->noise + gather->snap * length_1(sheet->slope);
+	return sheet->depth - dot(sheet->slope, texel->off) + noise < receiver->depth &&
+	       sheet->depth + noise < receiver->depth + dot(receiver->slope, texel->off);
+}
+
+static struct origin origin_of_layers(const struct gather *gather, const struct eye *eye)
+{
+	const struct receiver *receiver = eye->receiver;
+	struct texel texel = near_texel(gather, eye, 0);
+	int own = receiver->casts ? find_own(gather, eye, &texel) : LAYERS;
+	struct origin origin = {
+		{texel.at[0], texel.at[1]}, 0, {receiver->slope[0], receiver->slope[1]}};
+	for (int i = 0; i < LAYERS; i++)
+		origin.winding +=
+			i != own && blocks(gather, eye, &texel, &gather->layers[i][texel.index]);
+	return origin;
+}
+
+/* The middle of the tile, for receivers behind all that casts there: no layer is looked at. */
+static struct origin origin_of_tile(const struct gather *gather, const int at[2])
+{
+	uint32_t tiles = gather->grid.tiles;
+	return (struct origin){
+		.at = {(at[0] + 0.5) / tiles, (at[1] + 0.5) / tiles},
+		.winding =
+			edge_tile_winding(&gather->grid.of[(size_t)at[1] * tiles + (size_t)at[0]]),
+	};
+}
+
+/* An end of an edge, beside the receiver. */
+struct end {
+	double off[2], depth;
+	double before; /* depth from the plane parallel to the disc through the receiver */
+};
+
+static struct end end_of(const struct eye *eye, const struct chain_vertex *vertex)
+{
+	const struct receiver *receiver = eye->receiver;
+	struct end end = {
+		{vertex->x - receiver->at[0], vertex->y - receiver->at[1]}, vertex->depth, 0.0};
+	end.before = receiver->depth - end.depth - dot(eye->tilt, end.off);
+	return end;
+}
+
+/* What the edges sum up to. */
+struct sums {
+	int winding;
+	double behind;                    /* shares of the disc */
+	int8_t sheets[DISC_MASK_SAMPLES]; /* at each sample, beside `winding` */
+};
+
+/* How the winding number changes where the way from the origin passes behind an edge: nearer than
+ * it both on the receiver's plane and to the receiver. */
+static int crossing(const struct eye *eye, const struct origin *origin, const struct end *a,
+	const struct end *b)
+{
+	const double path[2] = {
+		eye->receiver->at[0] - origin->at[0], eye->receiver->at[1] - origin->at[1]};
+	double across_a = cross(path, a->off), across_b = cross(path, b->off);
+	if ((across_a < 0.0) == (across_b < 0.0))
+		return 0;
+	double share = across_a / (across_a - across_b), off[2];
+	for (int i = 0; i < 2; i++)
+		off[i] = a->off[i] + share * (b->off[i] - a->off[i]);
+	double depth = a->depth + share * (b->depth - a->depth);
+	double plane = eye->receiver->depth + dot(origin->slope, off) - eye->noise;
+	if (depth >= plane || depth >= eye->receiver->depth)
+		return 0;
+	double side = cross(a->off, b->off), side_origin = side - across_a + across_b;
+	return (side >= 0.0) - (side_origin >= 0.0);
+}
+
+/* The part of an edge that is before the disc, on the disc. */
+struct chord {
+	double u[2]; /* direction */
+	double h;    /* distance from the disc's centre, the sheet's side above 0 */
+	double t[2]; /* ends along u, from the foot of the centre */
+};
+
+static bool find_chord(
+	struct chord *chord, const struct eye *eye, const struct end *a, const struct end *b)
+{
+	double seen[2][2], along[2];
+	const struct end *ends[2] = {a, b};
+	for (int end = 0; end < 2; end++) {
+		const double *off = ends[end]->off;
+		for (int i = 0; i < 2; i++)
+			seen[end][i] = off[i] - eye->k * eye->e[i] * dot(eye->e, off);
+	}
+	for (int i = 0; i < 2; i++)
+		along[i] = a->before * seen[1][i] - b->before * seen[0][i];
+	double length = sqrt(dot(along, along));
+	if (fmax(a->before, b->before) <= 0.0 || length == 0.0)
+		return false;
+	chord->h = cross(seen[0], seen[1]) / (eye->scale * length);
+	if (fabs(chord->h) >= 1.0)
+		return false;
+	double half = sqrt(1.0 - chord->h * chord->h);
+	for (int end = 0; end < 2; end++) {
+		chord->u[end] = along[end] / length;
+		chord->t[end] = end == 0 ? -half : half;
+	}
+	/* An end behind the receiver's plane is infinitely far off. */
+	if (a->before > 0.0)
+		chord->t[0] = fmax(dot(seen[0], chord->u) / (eye->scale * a->before), -half);
+	if (b->before > 0.0)
+		chord->t[1] = fmin(dot(seen[1], chord->u) / (eye->scale * b->before), half);
+	return chord->t[0] < chord->t[1];
+}
+
+/* Bits of the samples at angles from a on. */
+static int sample_from(double angle)
+{
+	return (int)ceil(angle * DISC_MASK_SAMPLES / (2.0 * GLM_PI) - 0.5);
+}
+
+static uint64_t samples_beyond(const struct gather *gather, double angle, double distance)
+{
+	double turns = angle / (2.0 * GLM_PI);
+	int column = (int)((turns - floor(turns)) * DISC_MASK_ANGLES) % DISC_MASK_ANGLES;
+	int row = (int)(distance * DISC_MASK_DISTANCES);
+	const uint32_t *words = gather->masks[row * DISC_MASK_ANGLES + column];
+	return words[0] | (uint64_t)words[1] << 32;
+}
+
+/* Behind an edge is the sector between its ends less the triangle before it. */
+static void add_chord(struct sums *sums, const struct gather *gather, const struct chord *chord)
+{
+	double h = fabs(chord->h), sign = chord->h >= 0.0 ? 1.0 : -1.0;
+	double low = atan2(chord->t[0], h), high = atan2(chord->t[1], h);
+	double foot = atan2(-sign * chord->u[0], sign * chord->u[1]);
+	sums->behind += sign * (high - low - (chord->t[1] - chord->t[0]) * h) / (2.0 * GLM_PI);
+	int first = sample_from(sign > 0.0 ? foot + low : foot - high);
+	int end = sample_from(sign > 0.0 ? foot + high : foot - low);
+	uint64_t mask = samples_beyond(gather, foot, h) & disc_mask_sector(first, end);
+	for (int i = 0; i < DISC_MASK_SAMPLES; i++)
+		if (mask >> i & 1)
+			sums->sheets[i] = (int8_t)(sums->sheets[i] - (int)sign);
+}
+
+static void walk(struct sums *sums, const struct gather *gather, const struct eye *eye,
+	const struct origin *origin, const struct edge_tile *tile)
+{
+	const struct chain_vertex *vertices = gather->grid.vertices + tile->first;
+	struct end b = {.before = 0.0};
+	for (uint32_t i = 0; i < edge_tile_count(tile); i++) {
+		struct end a = b;
+		struct chord chord;
+		b = end_of(eye, &vertices[i]);
+		if (vertices[i].start > 0.0f && eye->receiver->depth <= vertices[i].start - 1.0f)
+			return;
+		if (vertices[i].start > 0.0f)
+			continue;
+		sums->winding += crossing(eye, origin, &a, &b);
+		if (find_chord(&chord, eye, &a, &b))
+			add_chord(sums, gather, &chord);
+	}
+}
+
+/* Of all blockers together: the share of the samples that any covers, and what the samples missed
+ * of the edges as far as those are not hidden in other blockers. */
+static double covered(const struct sums *sums)
+{
+	int any = 0, more = 0, sum = 0;
+	for (int i = 0; i < DISC_MASK_SAMPLES; i++) {
+		int sheets = sums->winding + sums->sheets[i];
+		any += sheets > 0;
+		more += sheets > 1 || sheets < 0;
+		sum += sheets;
+	}
+	double free = DISC_MASK_SAMPLES - any;
+	double missed = sums->winding - sums->behind - (double)sum / DISC_MASK_SAMPLES;
+	double exposed = more > 0 ? free / (free + more) : 1.0;
+	return any / (double)DISC_MASK_SAMPLES + missed * exposed;
+}
+
+static double visibility(const void *state, const struct receiver *receiver)
+{
+	const struct gather *gather = state;
+	if (gather->hard != NULL)
+		return model_hard.visibility(gather->hard, receiver);
+	int at[2];
+	for (int i = 0; i < 2; i++) {
+		if (!(receiver->at[i] >= 0.0 && receiver->at[i] < 1.0))
+			return 1.0;
+		at[i] = (int)(receiver->at[i] * gather->grid.tiles);
+	}
+	const struct edge_tile *tile =
+		&gather->grid.of[(size_t)at[1] * gather->grid.tiles + (size_t)at[0]];
+	struct eye eye = eye_of(gather, receiver);
+	bool behind_all = receiver->depth > tile->farthest;
+	struct origin origin =
+		behind_all ? origin_of_tile(gather, at) : origin_of_layers(gather, &eye);
+	struct sums sums = {.winding = origin.winding};
+	if (receiver->depth > tile->nearest)
+		walk(&sums, gather, &eye, &origin, tile);
+	if (!behind_all && sums.winding < 0)
+		sums.winding = 0;
+	return 1.0 - fmin(fmax(covered(&sums), 0.0), 1.0);
+}
+
+const struct model_technique model_gather = {
+	.name = "gather",
+	.state_size = sizeof(struct gather),
+	.init = init,
+	.finish = finish,
+	.visibility = visibility,
+};
