@@ -17,9 +17,11 @@
 /* A layer without a sheet, behind all there is. */
 #define NOWHERE 2.0f
 /* How far the receiver's sheet may have bent away from its plane on the way to a texel, over what
- * the slopes at both ends make of one bend; and below which share of that no better is sought. */
+ * the slopes at both ends make of one bend; below which share of that it has not; and by how much
+ * of it a farther texel has to be better. */
 #define BEND_MAX 1.5
-#define BEND_FLAT 0.2
+#define BEND_NONE 0.02
+#define BEND_GAIN 0.2
 
 /* Of the casters at a texel's centre. */
 struct sheet {
@@ -193,6 +195,7 @@ static struct eye eye_of(const struct gather *gather, const struct receiver *rec
 struct origin {
 	double at[2];
 	int winding;
+	int winding_beside; /* the same, where the receiver's own sheet begins on the way */
 	double slope[2];
 };
 
@@ -247,48 +250,63 @@ static double bend(const struct gather *gather, const struct eye *eye, const str
 	return fabs(sheet->depth - plane) / most;
 }
 
-/* Finds the receiver's own sheet: the layer of it, and the texel; LAYERS where it is not found. */
-static int find_own(const struct gather *gather, const struct eye *eye, struct texel *found)
+/* Which layer the receiver's own sheet is, and at which texel. */
+struct own {
+	struct texel texel;
+	int layer;   /* LAYERS: not found */
+	double bent; /* as bend() */
+};
+
+static struct own find_own(const struct gather *gather, const struct eye *eye)
 {
-	int own = LAYERS;
-	double least = 1.0;
-	*found = near_texel(gather, eye, 0);
-	for (int rank = 0; rank < 4 && least >= BEND_FLAT; rank++) {
+	struct own own = {near_texel(gather, eye, 0), LAYERS, 1.0 + BEND_GAIN};
+	if (!eye->receiver->casts)
+		return own;
+	for (int rank = 0; rank < 4 && own.bent >= BEND_NONE; rank++) {
 		struct texel texel = near_texel(gather, eye, rank);
 		for (int i = 0; i < LAYERS; i++) {
 			double bent = bend(gather, eye, &texel, &gather->layers[i][texel.index]);
-			if (bent < least) {
-				least = bent;
-				own = i;
-				*found = texel;
-			}
+			if (bent <= 1.0 && bent < own.bent - BEND_GAIN)
+				own = (struct own){texel, i, bent};
 		}
 	}
 	return own;
 }
 
-/* Whether the sheet at a texel is before the receiver: its own plane where the receiver is, which
- * leaves a floor beside a wall lit, and itself before the receiver's plane, which leaves a curved
- * surface lit. */
-static bool blocks(const struct gather *gather, const struct eye *eye, const struct texel *texel,
-	const struct sheet *sheet)
+/* Whether the plane of the sheet at a texel is before the receiver there, which leaves a floor
+ * beside a wall lit. */
+static bool plane_blocks(
+	const struct eye *eye, const struct texel *texel, const struct sheet *sheet, double noise)
 {
-	const struct receiver *receiver = eye->receiver;
-	double noise = eye->noise + gather->snap * length_1(sheet->slope);
-	return sheet->depth - dot(sheet->slope, texel->off) + noise < receiver->depth &&
-	       sheet->depth + noise < receiver->depth + dot(receiver->slope, texel->off);
+	return sheet->depth - dot(sheet->slope, texel->off) + noise < eye->receiver->depth;
 }
 
+/* Whether the sheet itself is before the receiver's plane at the texel, which leaves a curved
+ * surface lit. */
+static bool sheet_blocks(
+	const struct eye *eye, const struct texel *texel, const struct sheet *sheet, double noise)
+{
+	const struct receiver *receiver = eye->receiver;
+	return sheet->depth + noise < receiver->depth + dot(receiver->slope, texel->off);
+}
+
+/* Beside its own sheet the receiver's plane means nothing. */
 static struct origin origin_of_layers(const struct gather *gather, const struct eye *eye)
 {
 	const struct receiver *receiver = eye->receiver;
-	struct texel texel = near_texel(gather, eye, 0);
-	int own = receiver->casts ? find_own(gather, eye, &texel) : LAYERS;
-	struct origin origin = {
-		{texel.at[0], texel.at[1]}, 0, {receiver->slope[0], receiver->slope[1]}};
-	for (int i = 0; i < LAYERS; i++)
+	struct own own = find_own(gather, eye);
+	struct origin origin = {.at = {own.texel.at[0], own.texel.at[1]},
+		.slope = {receiver->slope[0], receiver->slope[1]}};
+	for (int i = 0; i < LAYERS; i++) {
+		const struct sheet *sheet = &gather->layers[i][own.texel.index];
+		double noise = eye->noise + gather->snap * length_1(sheet->slope);
+		bool before = plane_blocks(eye, &own.texel, sheet, noise);
+		origin.winding_beside += before;
 		origin.winding +=
-			i != own && blocks(gather, eye, &texel, &gather->layers[i][texel.index]);
+			before && i != own.layer && sheet_blocks(eye, &own.texel, sheet, noise);
+	}
+	if (!receiver->casts || own.bent < BEND_NONE)
+		origin.winding_beside = origin.winding;
 	return origin;
 }
 
@@ -296,10 +314,11 @@ static struct origin origin_of_layers(const struct gather *gather, const struct 
 static struct origin origin_of_tile(const struct gather *gather, const int at[2])
 {
 	uint32_t tiles = gather->grid.tiles;
+	int winding = edge_tile_winding(&gather->grid.of[(size_t)at[1] * tiles + (size_t)at[0]]);
 	return (struct origin){
 		.at = {(at[0] + 0.5) / tiles, (at[1] + 0.5) / tiles},
-		.winding =
-			edge_tile_winding(&gather->grid.of[(size_t)at[1] * tiles + (size_t)at[0]]),
+		.winding = winding,
+		.winding_beside = winding,
 	};
 }
 
@@ -321,29 +340,32 @@ static struct end end_of(const struct eye *eye, const struct chain_vertex *verte
 /* What the edges sum up to. */
 struct sums {
 	int winding;
+	int own; /* how often the receiver's own sheet begins on the way, less how often it ends */
 	double behind;                    /* shares of the disc */
 	int8_t sheets[DISC_MASK_SAMPLES]; /* at each sample, beside `winding` */
 };
 
-/* How the winding number changes where the way from the origin passes behind an edge: nearer than
- * it both on the receiver's plane and to the receiver. */
-static int crossing(const struct eye *eye, const struct origin *origin, const struct end *a,
-	const struct end *b)
+/* Where the way from the origin passes an edge. A sheet begins or ends there that is before the
+ * receiver, if the edge is: both before the receiver's plane and before its depth. */
+static void cross_edge(struct sums *sums, const struct eye *eye, const struct origin *origin,
+	const struct end *a, const struct end *b)
 {
-	const double path[2] = {
-		eye->receiver->at[0] - origin->at[0], eye->receiver->at[1] - origin->at[1]};
+	const struct receiver *receiver = eye->receiver;
+	const double path[2] = {receiver->at[0] - origin->at[0], receiver->at[1] - origin->at[1]};
 	double across_a = cross(path, a->off), across_b = cross(path, b->off);
 	if ((across_a < 0.0) == (across_b < 0.0))
-		return 0;
+		return;
 	double share = across_a / (across_a - across_b), off[2];
 	for (int i = 0; i < 2; i++)
 		off[i] = a->off[i] + share * (b->off[i] - a->off[i]);
 	double depth = a->depth + share * (b->depth - a->depth);
-	double plane = eye->receiver->depth + dot(origin->slope, off) - eye->noise;
-	if (depth >= plane || depth >= eye->receiver->depth)
-		return 0;
+	double before = receiver->depth + dot(origin->slope, off) - depth;
 	double side = cross(a->off, b->off), side_origin = side - across_a + across_b;
-	return (side >= 0.0) - (side_origin >= 0.0);
+	int begun = (side >= 0.0) - (side_origin >= 0.0);
+	if (before > eye->noise && depth < receiver->depth)
+		sums->winding += begun;
+	if (fabs(before) <= eye->noise)
+		sums->own += begun;
 }
 
 /* The part of an edge that is before the disc, on the disc. */
@@ -427,7 +449,7 @@ static void walk(struct sums *sums, const struct gather *gather, const struct ey
 			return;
 		if (vertices[i].start > 0.0f)
 			continue;
-		sums->winding += crossing(eye, origin, &a, &b);
+		cross_edge(sums, eye, origin, &a, &b);
 		if (find_chord(&chord, eye, &a, &b))
 			add_chord(sums, gather, &chord);
 	}
@@ -470,6 +492,8 @@ static double visibility(const void *state, const struct receiver *receiver)
 	struct sums sums = {.winding = origin.winding};
 	if (receiver->depth > tile->nearest)
 		walk(&sums, gather, &eye, &origin, tile);
+	if (sums.own > 0)
+		sums.winding += origin.winding_beside - origin.winding;
 	if (!behind_all && sums.winding < 0)
 		sums.winding = 0;
 	return 1.0 - fmin(fmax(covered(&sums), 0.0), 1.0);
