@@ -196,6 +196,7 @@ struct origin {
 	double at[2];
 	int winding;
 	int winding_beside; /* the same, where the receiver's own sheet begins on the way */
+	bool of_all;        /* sheets at any depth; else of those before the receiver */
 	double slope[2];
 };
 
@@ -291,7 +292,8 @@ static bool sheet_blocks(
 }
 
 /* Beside its own sheet the receiver's plane means nothing. */
-static struct origin origin_of_layers(const struct gather *gather, const struct eye *eye)
+static struct origin origin_of_layers(
+	const struct gather *gather, const struct eye *eye, bool *full)
 {
 	const struct receiver *receiver = eye->receiver;
 	struct own own = find_own(gather, eye);
@@ -305,6 +307,7 @@ static struct origin origin_of_layers(const struct gather *gather, const struct 
 		origin.winding +=
 			before && i != own.layer && sheet_blocks(eye, &own.texel, sheet, noise);
 	}
+	*full = origin.winding == LAYERS;
 	if (!receiver->casts || own.bent < BEND_NONE)
 		origin.winding_beside = origin.winding;
 	return origin;
@@ -319,6 +322,7 @@ static struct origin origin_of_tile(const struct gather *gather, const int at[2]
 		.at = {(at[0] + 0.5) / tiles, (at[1] + 0.5) / tiles},
 		.winding = winding,
 		.winding_beside = winding,
+		.of_all = true,
 	};
 }
 
@@ -362,7 +366,7 @@ static void cross_edge(struct sums *sums, const struct eye *eye, const struct or
 	double before = receiver->depth + dot(origin->slope, off) - depth;
 	double side = cross(a->off, b->off), side_origin = side - across_a + across_b;
 	int begun = (side >= 0.0) - (side_origin >= 0.0);
-	if (before > eye->noise && depth < receiver->depth)
+	if (origin->of_all || (before > eye->noise && depth < receiver->depth))
 		sums->winding += begun;
 	if (fabs(before) <= eye->noise)
 		sums->own += begun;
@@ -445,7 +449,8 @@ static void walk(struct sums *sums, const struct gather *gather, const struct ey
 		struct end a = b;
 		struct chord chord;
 		b = end_of(eye, &vertices[i]);
-		if (vertices[i].start > 0.0f && eye->receiver->depth <= vertices[i].start - 1.0f)
+		if (!origin->of_all && vertices[i].start > 0.0f &&
+			eye->receiver->depth <= vertices[i].start - 1.0f)
 			return;
 		if (vertices[i].start > 0.0f)
 			continue;
@@ -486,15 +491,16 @@ static double visibility(const void *state, const struct receiver *receiver)
 	const struct edge_tile *tile =
 		&gather->grid.of[(size_t)at[1] * gather->grid.tiles + (size_t)at[0]];
 	struct eye eye = eye_of(gather, receiver);
-	bool behind_all = receiver->depth > tile->farthest;
-	struct origin origin =
-		behind_all ? origin_of_tile(gather, at) : origin_of_layers(gather, &eye);
+	bool full = false;
+	struct origin origin = origin_of_layers(gather, &eye, &full);
+	if (receiver->depth > tile->farthest || (full && !receiver->casts))
+		origin = origin_of_tile(gather, at);
 	struct sums sums = {.winding = origin.winding};
 	if (receiver->depth > tile->nearest)
 		walk(&sums, gather, &eye, &origin, tile);
 	if (sums.own > 0)
 		sums.winding += origin.winding_beside - origin.winding;
-	if (!behind_all && sums.winding < 0)
+	if (sums.winding < 0)
 		sums.winding = 0;
 	return 1.0 - fmin(fmax(covered(&sums), 0.0), 1.0);
 }
