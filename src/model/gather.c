@@ -3,19 +3,16 @@
  * cover, of the sheets before its centre and a term for each edge. */
 #include "base/array.h"
 #include "base/error.h"
+#include "model/layers.h"
 #include "model/technique.h"
-#include "model/transform.h"
 #include "scene/edge_grid.h"
 #include "technique/disc_mask.h"
 #include <stdlib.h>
 #include <string.h>
 
-#define LAYERS 3
 #define LAYER_SIZE_MAX 512
 #define TILES 32
 #define VERTICES_MAX (96 * 1024)
-/* A layer without a sheet, behind all there is. */
-#define NOWHERE 2.0f
 /* How far the receiver's sheet may have bent away from its plane on the way to a texel, over what
  * the slopes at both ends make of one bend; below which share of that it has not; and by how much
  * of it a farther texel has to be better. */
@@ -23,86 +20,14 @@
 #define BEND_NONE 0.02
 #define BEND_GAIN 0.2
 
-/* Of the casters at a texel's centre. */
-struct sheet {
-	float depth;
-	double slope[2]; /* over window x and y */
-};
-
 struct gather {
 	struct model_light light; /* with the size of the layers */
 	struct edge_grid grid;
-	struct sheet *layers[LAYERS]; /* each behind the one before, [size * size]; owned */
-	uint32_t (*masks)[2];         /* of disc_mask_table(), owned */
-	void *hard;                   /* state of model_hard, for a point; owned */
-	double snap;                  /* by how much points of edges and sheets are moved */
+	struct layers layers;
+	uint32_t (*masks)[2]; /* of disc_mask_table(), owned */
+	void *hard;           /* state of model_hard, for a point; owned */
+	double snap;          /* by how much points of edges and sheets are moved */
 };
-
-/* What draws a layer. */
-struct layering {
-	struct sheet *layer;
-	const struct sheet *front; /* the layer before; NULL: none */
-	int size;
-};
-
-static void keep_sheet(
-	void *data, const struct raster_triangle *triangle, int x, int y, double depth)
-{
-	const struct layering *layering = data;
-	size_t texel = (size_t)y * (size_t)layering->size + (size_t)x;
-	float rounded = model_round_depth(depth);
-	if (layering->front != NULL && rounded <= layering->front[texel].depth + (float)DEPTH_STEP)
-		return;
-	if (rounded < layering->layer[texel].depth)
-		layering->layer[texel] = (struct sheet){rounded,
-			{triangle->depth.dx * layering->size, triangle->depth.dy * layering->size}};
-}
-
-static bool draw_sheets(
-	struct layering *layering, const struct gather *gather, const struct object *object)
-{
-	const struct mesh *mesh = &gather->light.scene->meshes[object->mesh];
-	const struct caster *caster = &mesh->caster;
-	struct raster_area area = model_map_area(&gather->light);
-	mat4 to_clip;
-	glm_mat4_mul((vec4 *)gather->light.frame.world_to_clip, (vec4 *)object->transform, to_clip);
-	struct sheet_rule rule = mesh_sheet_rule(mesh, (vec4 *)object->transform, to_clip);
-	double(*corners)[4] =
-		transform_all(to_clip, (const float(*)[3])caster->positions, caster->vertex_count);
-	if (corners == NULL)
-		return false;
-	for (size_t i = 0; i < caster->triangle_count; i++) {
-		double triangle[3][4];
-		area.kept = i >= rule.one_sided ? RASTER_ALL
-			    : rule.mirrored     ? RASTER_BACK
-						: RASTER_FRONT;
-		pick_corners((const double(*)[4])corners, &caster->indices[3 * i], triangle);
-		raster_draw(&area, (const double(*)[4])triangle, keep_sheet, layering);
-	}
-	free(corners);
-	return true;
-}
-
-static bool draw_layer(struct gather *gather, int layer)
-{
-	const struct sm_scene *scene = gather->light.scene;
-	int size = gather->light.size;
-	size_t count = (size_t)size * (size_t)size;
-	gather->layers[layer] = array_alloc(count, sizeof(struct sheet));
-	if (gather->layers[layer] == NULL)
-		return false;
-	for (size_t i = 0; i < count; i++)
-		gather->layers[layer][i] = (struct sheet){.depth = NOWHERE};
-	struct layering layering = {
-		.layer = gather->layers[layer],
-		.front = layer > 0 ? gather->layers[layer - 1] : NULL,
-		.size = size,
-	};
-	for (size_t i = 0; i < scene->object_count; i++)
-		if (scene->objects[i].casts && !draw_sheets(&layering, gather, &scene->objects[i]))
-			return false;
-	return true;
-}
 
 static bool init_point(
 	struct gather *gather, const struct model_light *light, struct sm_error *error)
@@ -131,8 +56,7 @@ static bool init(void *state, const struct model_light *light, struct sm_error *
 	gather->masks = array_alloc(DISC_MASK_ANGLES * DISC_MASK_DISTANCES, sizeof(*gather->masks));
 	bool made = gather->masks != NULL &&
 		    edge_grid_find(&gather->grid, light->scene, &light->frame, &options);
-	for (int i = 0; i < LAYERS && made; i++)
-		made = draw_layer(gather, i);
+	made = made && layers_init(&gather->layers, &gather->light);
 	if (made)
 		disc_mask_table(gather->masks);
 	return made || error_no_memory(error);
@@ -145,8 +69,7 @@ static void finish(void *state)
 		model_hard.finish(gather->hard);
 	free(gather->hard);
 	free(gather->masks);
-	for (int i = 0; i < LAYERS; i++)
-		free(gather->layers[i]);
+	layers_finish(&gather->layers);
 	edge_grid_finish(&gather->grid);
 }
 
@@ -266,7 +189,7 @@ static struct own find_own(const struct gather *gather, const struct eye *eye)
 	for (int rank = 0; rank < 4 && own.bent >= BEND_NONE; rank++) {
 		struct texel texel = near_texel(gather, eye, rank);
 		for (int i = 0; i < LAYERS; i++) {
-			double bent = bend(gather, eye, &texel, &gather->layers[i][texel.index]);
+			double bent = bend(gather, eye, &texel, &gather->layers.of[i][texel.index]);
 			if (bent <= 1.0 && bent < own.bent - BEND_GAIN)
 				own = (struct own){texel, i, bent};
 		}
@@ -300,7 +223,7 @@ static struct origin origin_of_layers(
 	struct origin origin = {.at = {own.texel.at[0], own.texel.at[1]},
 		.slope = {receiver->slope[0], receiver->slope[1]}};
 	for (int i = 0; i < LAYERS; i++) {
-		const struct sheet *sheet = &gather->layers[i][own.texel.index];
+		const struct sheet *sheet = &gather->layers.of[i][own.texel.index];
 		double noise = eye->noise + gather->snap * length_1(sheet->slope);
 		bool before = plane_blocks(eye, &own.texel, sheet, noise);
 		origin.winding_beside += before;
