@@ -73,7 +73,9 @@ bool model_float_visibility(const struct sm_scene *scene, const struct sm_view *
 	if (scenery.technique == NULL)
 		return error_set(error, SM_ERROR_INPUT, "no model of the technique \"%s\"",
 			options->technique);
-	light_frame_init(&scenery.light.frame, &scene->lights[view->visibility_of].desc, scene);
+	const struct sm_light_desc *light = &scene->lights[view->visibility_of].desc;
+	(scenery.technique->fits ? light_frame_fit : light_frame_init)(
+		&scenery.light.frame, light, scene);
 	bool drawn = set_up(&scenery, view, error);
 	for (int y = 0; drawn && y < (int)view->height; y++)
 		for (int x = 0; x < (int)view->width; x++)

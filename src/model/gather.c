@@ -431,6 +431,7 @@ static double visibility(const void *state, const struct receiver *receiver)
 const struct model_technique model_gather = {
 	.name = "gather",
 	.state_size = sizeof(struct gather),
+	.fits = true,
 	.init = init,
 	.finish = finish,
 	.visibility = visibility,
