@@ -416,7 +416,10 @@ static double visibility(const void *state, const struct receiver *receiver)
 	struct eye eye = eye_of(gather, receiver);
 	bool full = false;
 	struct origin origin = origin_of_layers(gather, &eye, &full);
-	if (receiver->depth > tile->farthest || (full && !receiver->casts))
+	bool behind_all = receiver->depth > tile->farthest;
+	if (full && receiver->casts && !behind_all)
+		return 0.0;
+	if (full || behind_all)
 		origin = origin_of_tile(gather, at);
 	struct sums sums = {.winding = origin.winding};
 	if (receiver->depth > tile->nearest)
