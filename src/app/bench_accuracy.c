@@ -115,9 +115,11 @@ static bool write_difference(const struct gallery *gallery, const char *folder,
 static bool measure_error(struct gallery *gallery, struct sm_renderer *renderer,
 	const struct bench_cell *cell, struct result *result, struct sm_error *error)
 {
-	return draw(gallery, renderer, 0, error) &&
-	       visibility_error(gallery->view.seen[0], gallery->truth[0].visibility,
-		       gallery->view.pixels, result->error, error) &&
+	if (!draw(gallery, renderer, 0, error))
+		return false;
+	const float *seen = gallery->view.seen[0], *truth = gallery->truth[0].visibility;
+	result->outside_wrong = visibility_outside_wrong(seen, truth, gallery->view.pixels);
+	return visibility_error(seen, truth, gallery->view.pixels, result->error, error) &&
 	       (!cell->pictures || write_difference(gallery, cell->options->out, result, error));
 }
 

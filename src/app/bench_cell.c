@@ -78,6 +78,7 @@ bool bench_cell_label(const struct bench_cell *cell, struct sm_error *error)
 			.time_width = options->time_size.width,
 			.time_height = options->time_size.height,
 			.triangles = count_triangles(stage.scene),
+			.outside_wrong = NAN,
 			.flicker = NAN,
 		};
 		for (int region = 0; region < REGIONS; region++)

@@ -36,11 +36,23 @@ static void count_frame(void *data)
 	++*cell->steps;
 }
 
+/* The median time of pcss-16; 0: it was not timed. */
+static double pcss_median(const struct bench_options *options, const struct timing *timings)
+{
+	for (size_t i = 0; i < options->technique_count; i++)
+		if (strcmp(options->techniques[i].name, "pcss-16") == 0)
+			return timings[i].time.median;
+	return 0;
+}
+
 static void keep(
 	const struct bench_cell *cell, enum thread_choice threads, const struct timing *timings)
 {
+	double pcss = pcss_median(cell->options, timings);
 	for (size_t i = 0; i < cell->options->technique_count; i++) {
 		cell->results[i].time[threads] = timings[i].time;
+		if (pcss > 0)
+			cell->results[i].time[threads].ratio_pcss = timings[i].time.median / pcss;
 		if (threads == THREADS_DEFAULT)
 			memcpy(cell->results[i].passes, timings[i].passes,
 				sizeof(timings[i].passes));

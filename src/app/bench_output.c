@@ -47,8 +47,9 @@ bool bench_output_read(struct result_list *results, const char *path, struct sm_
 
 void bench_output_head(FILE *file)
 {
-	fprintf(file, "%-12s %5s %5s %-20s %-9s %8s %7s %7s %8s %9s %7s\n", "scene", "R/d", "map",
-		"technique", "precision", "penumbra", "p99", "bias", "flicker", "ms", "x hard");
+	fprintf(file, "%-12s %5s %5s %-20s %-9s %8s %7s %7s %7s %7s %8s %9s %7s %7s\n", "scene",
+		"R/d", "map", "technique", "precision", "penumbra", "p99", "bias", "all", "outside",
+		"flicker", "ms", "x hard", "x pcss");
 }
 
 /* NAN: not measured. */
@@ -69,9 +70,12 @@ static void print_row(FILE *file, const struct result *result)
 	print_number(file, 8, 4, penumbra->rmse);
 	print_number(file, 7, 3, penumbra->p99);
 	print_number(file, 7, 3, penumbra->bias);
+	print_number(file, 7, 4, result->error[REGION_ALL].rmse);
+	print_number(file, 7, 0, result->outside_wrong);
 	print_number(file, 8, 5, result->flicker);
 	print_number(file, 9, 2, time->median > 0 ? time->median : NAN);
 	print_number(file, 7, 2, time->ratio > 0 ? time->ratio : NAN);
+	print_number(file, 7, 2, time->ratio_pcss > 0 ? time->ratio_pcss : NAN);
 	fputc('\n', file);
 }
 

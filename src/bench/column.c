@@ -40,7 +40,9 @@
 		MEMBER("cpu_ms" suffix, COLUMN_REAL, time[threads].cpu,                       \
 			"milliseconds of a frame in all threads of the process, median" how), \
 		MEMBER("ratio" suffix, COLUMN_REAL, time[threads].ratio,                      \
-			"median time of a frame to that of \"hard\" in the same rounds" how)
+			"median time of a frame to that of \"hard\" in the same rounds" how), \
+		MEMBER("ratio_pcss_16" suffix, COLUMN_REAL, time[threads].ratio_pcss,         \
+			"median time of a frame to that of \"pcss-16\" in the same rounds" how)
 
 /* Errors are visibility minus reference, both linear in [0, 1]. */
 static const struct column columns[] = {
@@ -59,6 +61,8 @@ static const struct column columns[] = {
 	ERROR("lit", REGION_LIT, "pixels that see all of the light"),
 	ERROR("umbra", REGION_UMBRA, "pixels that see nothing of the light"),
 	ERROR("penumbra", REGION_PENUMBRA, "pixels that see a part of the light"),
+	FIELD(COLUMN_REAL, outside_wrong,
+		"number of pixels that see all or nothing of the light, with an error above 0.1"),
 	FIELD(COLUMN_REAL, flicker,
 		"mean of |change of visibility - change of reference| a frame, under a slow light"),
 	TIME("", THREADS_DEFAULT, ""),
@@ -87,6 +91,11 @@ size_t column_find(const char *name)
 void column_format_real(double value, char text[32])
 {
 	char number[32] = "";
+	/* Counts as people write them. */
+	if (fabs(value) < 1e6 && value == floor(value)) {
+		snprintf(text, 32, "%.0f", value);
+		return;
+	}
 	for (int digits = 1; digits <= 17 && !isnan(value); digits++) {
 		snprintf(number, sizeof(number), "%.*g", digits, value);
 		if (strtod(number, NULL) == value)

@@ -19,6 +19,7 @@ static const struct measure measures[] = {
 	{"penumbra_rmse", KIND_ERROR, 1e-4, 0.01},
 	{"penumbra_p99", KIND_ERROR, 1e-4, 0.01},
 	{"all_rmse", KIND_ERROR, 1e-4, 0.01},
+	{"outside_wrong", KIND_ERROR, 2, 0.01},
 	{"flicker", KIND_ERROR, 1e-4, 0.01},
 	{"ratio", KIND_TIME, 0, 0.05, THREADS_DEFAULT},
 	{"ratio_single", KIND_TIME, 0, 0.05, THREADS_NONE},

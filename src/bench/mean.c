@@ -8,9 +8,12 @@ static const struct mean_column columns[] = {
 	{"RMSE", "%.4f", offsetof(struct mean, rmse)},
 	{"bias", "%+.4f", offsetof(struct mean, bias)},
 	{"p99", "%.4f", offsetof(struct mean, p99)},
+	{"RMSE of all", "%.4f", offsetof(struct mean, all_rmse)},
+	{"wrong outside", "%.0f", offsetof(struct mean, outside_wrong)},
 	{"flicker", "%.4f", offsetof(struct mean, flicker)},
 	{"ms", "%.2f", offsetof(struct mean, ms)},
 	{"ms / hard", "%.2f", offsetof(struct mean, ratio)},
+	{"ms / pcss-16", "%.2f", offsetof(struct mean, ratio_pcss)},
 };
 
 static bool belongs(const struct result *result, const struct result *setting,
@@ -38,6 +41,7 @@ struct mean mean_of(const struct result_list *list, const struct result *setting
 			continue;
 		sum.scenes++;
 		sum.ratio += log_time(result->time[THREADS_DEFAULT].ratio);
+		sum.ratio_pcss += log_time(result->time[THREADS_DEFAULT].ratio_pcss);
 		sum.ms += log_time(result->time[THREADS_DEFAULT].median);
 		if (penumbra->pixels > 0) {
 			penumbrae++;
@@ -47,6 +51,8 @@ struct mean mean_of(const struct result_list *list, const struct result *setting
 		}
 		if (result->error[REGION_ALL].pixels > 0) {
 			judged++;
+			sum.all_rmse += result->error[REGION_ALL].rmse;
+			sum.outside_wrong += result->outside_wrong;
 			sum.flicker += result->flicker;
 		}
 	}
@@ -56,8 +62,11 @@ struct mean mean_of(const struct result_list *list, const struct result *setting
 		.rmse = sum.rmse / (double)penumbrae,
 		.bias = sum.bias / (double)penumbrae,
 		.p99 = sum.p99 / (double)penumbrae,
+		.all_rmse = sum.all_rmse / (double)judged,
+		.outside_wrong = sum.outside_wrong / (double)judged,
 		.flicker = sum.flicker / (double)judged,
 		.ratio = exp(sum.ratio / (double)sum.scenes),
+		.ratio_pcss = exp(sum.ratio_pcss / (double)sum.scenes),
 		.ms = exp(sum.ms / (double)sum.scenes),
 	};
 }

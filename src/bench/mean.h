@@ -10,8 +10,10 @@
 struct mean {
 	size_t scenes;
 	double rmse, bias, p99; /* of penumbra pixels */
+	double all_rmse;        /* of pixels that face the light */
+	double outside_wrong;   /* pixels, as struct result has it */
 	double flicker;
-	double ratio, ms;
+	double ratio, ratio_pcss, ms;
 };
 
 /** Of a technique in a setting, in one scene or with NULL in all. */

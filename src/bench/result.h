@@ -19,6 +19,9 @@ struct error_summary {
 	double p95, p99, max; /* of its absolute value */
 };
 
+/** An error that is seen as a wrong shadow, and not as a wrong shade. */
+#define ERROR_WRONG 0.1
+
 /** Of no pixels. */
 #define ERROR_NONE ((struct error_summary){0, NAN, NAN, NAN, NAN, NAN})
 
@@ -30,6 +33,7 @@ struct time_summary {
 	double median, p10, p90; /* wall clock */
 	double cpu;              /* of the process and all its threads, median */
 	double ratio;            /* of the medians, to "hard" in the same rounds */
+	double ratio_pcss;       /* and to pcss-16 */
 };
 
 #define PASSES_MAX 8
@@ -53,6 +57,8 @@ struct result {
 	uint32_t triangles;
 	char machine[160]; /* what times depend on: processor and driver, see run_facts_machine() */
 	struct error_summary error[REGIONS];
+	double outside_wrong; /* pixels outside the penumbra with an error above ERROR_WRONG;
+				 NAN: not measured */
 	double flicker; /* mean |change of v - change of reference| a frame, under a slow light;
 			   NAN: not measured */
 	struct time_summary time[THREAD_CHOICES];

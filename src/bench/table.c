@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum format { FORMAT_ERROR, FORMAT_SIGNED, FORMAT_TIME, FORMAT_BYTES };
+enum format { FORMAT_ERROR, FORMAT_SIGNED, FORMAT_COUNT, FORMAT_TIME, FORMAT_BYTES };
 
 struct table_column {
 	const char *heading;
@@ -22,9 +22,11 @@ static const struct table_column columns[] = {
 	{"RMSE lit", "lit_rmse", FORMAT_ERROR, true},
 	{"RMSE umbra", "umbra_rmse", FORMAT_ERROR, true},
 	{"RMSE of all", "all_rmse", FORMAT_ERROR, true},
+	{"wrong outside", "outside_wrong", FORMAT_COUNT, true},
 	{"flicker", "flicker", FORMAT_ERROR, true},
 	{"ms", "ms", FORMAT_TIME, false},
 	{"ms / hard", "ratio", FORMAT_TIME, true},
+	{"ms / pcss-16", "ratio_pcss_16", FORMAT_TIME, false},
 	{"CPU ms", "cpu_ms", FORMAT_TIME, true},
 	{"ms single", "ms_single", FORMAT_TIME, false},
 	{"single / hard", "ratio_single", FORMAT_TIME, true},
@@ -89,6 +91,8 @@ void table_cell(
 		snprintf(text, TABLE_CELL_MAX, "-");
 	else if (column->format == FORMAT_BYTES)
 		format_bytes(value, text);
+	else if (column->format == FORMAT_COUNT)
+		snprintf(text, TABLE_CELL_MAX, "%.0f", value);
 	else if (column->format == FORMAT_TIME)
 		snprintf(text, TABLE_CELL_MAX, "%.2f", value);
 	else

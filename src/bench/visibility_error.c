@@ -56,6 +56,17 @@ bool visibility_error(const float *seen, const float *truth, size_t count,
 	return true;
 }
 
+double visibility_outside_wrong(const float *seen, const float *truth, size_t count)
+{
+	size_t wrong = 0, judged = 0;
+	for (size_t i = 0; i < count; i++) {
+		bool outside = is_within(REGION_LIT, truth[i]) || is_within(REGION_UMBRA, truth[i]);
+		wrong += outside && fabs((double)seen[i] - (double)truth[i]) > ERROR_WRONG;
+		judged += is_within(REGION_ALL, truth[i]);
+	}
+	return judged > 0 ? (double)wrong : NAN;
+}
+
 double visibility_flicker(struct visibility_pair before, struct visibility_pair after, size_t count)
 {
 	double sum = 0;

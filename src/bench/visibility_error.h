@@ -9,6 +9,10 @@
 bool visibility_error(const float *seen, const float *truth, size_t count,
 	struct error_summary error[REGIONS], struct sm_error *failure);
 
+/** How many pixels whose truth is 0 or 1 are off it by more than ERROR_WRONG; NAN where no truth is
+ *  known. */
+double visibility_outside_wrong(const float *seen, const float *truth, size_t count);
+
 /** Two pictures of one frame. */
 struct visibility_pair {
 	const float *seen, *truth; /* [count], not owned */

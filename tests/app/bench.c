@@ -91,6 +91,7 @@ static void check_errors(const struct result *result)
 							   error[REGION_PENUMBRA].pixels);
 	check_error(&error[REGION_ALL]);
 	check_error(&error[REGION_PENUMBRA]);
+	assert_true(result->outside_wrong >= 0 && result->outside_wrong < 64 * 64);
 	assert_true(result->flicker > 0 && result->flicker < .1);
 }
 
@@ -211,8 +212,12 @@ static void test_choices_of_samples_are_techniques_of_their_own(void **state)
 	assert_success(&outcome);
 	struct result_list results = read_results("bench-results/results.csv");
 	assert_int_equal(results.count, 3);
-	for (size_t i = 0; i < results.count; i++)
+	for (size_t i = 0; i < results.count; i++) {
+		const struct time_summary *time = &results.items[i].time[THREADS_DEFAULT];
 		assert_string_equal(results.items[i].technique, names[i]);
+		assert_float_equal(time->ratio_pcss,
+			time->median / results.items[2].time[THREADS_DEFAULT].median, 1e-12);
+	}
 	result_list_finish(&results);
 	outcome_finish(&outcome);
 }

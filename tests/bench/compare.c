@@ -19,8 +19,9 @@ static struct result make_base(void)
 	for (int i = 0; i < REGIONS; i++)
 		result.error[i] = (struct error_summary){1000, 0.1, 0, 0.2, 0.3, 1};
 	for (int i = 0; i < THREAD_CHOICES; i++)
-		result.time[i] = (struct time_summary){10, 9.8, 10.2, 20, 2};
+		result.time[i] = (struct time_summary){10, 9.8, 10.2, 20, 2, 1};
 	result.flicker = 0.01;
+	result.outside_wrong = 1000;
 	result.geometry_bytes = result.target_bytes = result.peak_bytes = 100000;
 	return result;
 }
@@ -58,7 +59,9 @@ static const struct {
 	{AT(error[REGION_ALL].rmse), 0.1, 0.09, BETTER},
 	{AT(error[REGION_PENUMBRA].bias), 0.1, 0.3, ALIKE}, /* neither is better */
 	{AT(flicker), 0.01, 0.02, WORSE}, {AT(flicker), NAN, 0.02, ALIKE},
-	{AT(flicker), 0.02, NAN, ALIKE},
+	{AT(flicker), 0.02, NAN, ALIKE}, {AT(outside_wrong), 0, 2, ALIKE},
+	{AT(outside_wrong), 0, 3, WORSE}, {AT(outside_wrong), 500, 504, ALIKE},
+	{AT(outside_wrong), NAN, 9, ALIKE},                /* of an earlier version */
 	{AT(time[THREADS_DEFAULT].ratio), 2, 2.09, ALIKE}, /* below 5 % */
 	{AT(time[THREADS_DEFAULT].ratio), 2, 2.11, WORSE},
 	{AT(time[THREADS_DEFAULT].ratio), 2, 1.89, BETTER},

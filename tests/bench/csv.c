@@ -55,7 +55,8 @@ static void test_what_is_not_measured_is_empty(void **state)
 	result.flicker = NAN;
 	assert_true(result_list_add(&list, &result, NULL));
 	csv_write(&list, text_begin(&text));
-	assert_non_null(strstr(text_end(&text), ",1,,1.1,")); /* penumbra_max,flicker,ms */
+	assert_non_null(strstr(
+		text_end(&text), ",1,100,,1.1,")); /* ...penumbra_max,outside_wrong,flicker,ms */
 	assert_true(read_text(&back, text.bytes, NULL));
 	assert_true(isnan(back.items[0].flicker));
 	result_list_finish(&back);
@@ -70,7 +71,8 @@ static void test_numbers_are_as_short_as_exact(void **state)
 		double value;
 		const char *text;
 	} cases[] = {{0, "0"}, {0.03, "0.03"}, {-0.5, "-0.5"}, {1.0 / 3, "0.3333333333333333"},
-		{0.1 + 0.2, "0.30000000000000004"}, {512, "512"}, {1e100, "1e+100"}, {NAN, ""}};
+		{0.1 + 0.2, "0.30000000000000004"}, {512, "512"}, {100, "100"}, {-20, "-20"},
+		{1e100, "1e+100"}, {NAN, ""}};
 	for (size_t i = 0; i < COUNT(cases); i++) {
 		char text[32];
 		column_format_real(cases[i].value, text);
@@ -95,6 +97,7 @@ static void test_files_of_other_versions_are_read(void **state)
 		assert_string_equal(list.items[0].technique, "hard");
 		assert_int_equal(list.items[0].map, 512);
 		assert_true(isnan(list.items[0].error[REGION_PENUMBRA].rmse));
+		assert_true(isnan(list.items[0].outside_wrong));
 		assert_int_equal(list.items[0].peak_bytes, 0);
 		result_list_finish(&list);
 	}

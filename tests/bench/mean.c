@@ -21,8 +21,11 @@ static struct result make_row(const char *scene, double rmse, double ratio)
 	penumbra->rmse = rmse;
 	penumbra->bias = -rmse / 2;
 	penumbra->p99 = 2 * rmse;
+	result.error[REGION_ALL].rmse = rmse / 8;
+	result.outside_wrong = 100 * rmse;
 	result.flicker = rmse / 4;
 	result.time[THREADS_DEFAULT].ratio = ratio;
+	result.time[THREADS_DEFAULT].ratio_pcss = ratio / 2;
 	result.time[THREADS_DEFAULT].median = 10 * ratio;
 	return result;
 }
@@ -43,8 +46,11 @@ static void test_errors_are_added_and_times_multiplied(void **state)
 	NEAR(mean.rmse, .2);
 	NEAR(mean.bias, -.1);
 	NEAR(mean.p99, .4);
+	NEAR(mean.all_rmse, .025);
+	NEAR(mean.outside_wrong, 20);
 	NEAR(mean.flicker, .05);
 	NEAR(mean.ratio, 4);
+	NEAR(mean.ratio_pcss, 2);
 	NEAR(mean.ms, 40);
 	assert_true(mean_is_complete(&mean));
 }

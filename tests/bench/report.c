@@ -336,14 +336,16 @@ static void test_means_of_times_need_no_errors(void **state)
 	struct result_list one = {&result, 1, 1};
 	result.time[THREADS_DEFAULT].median = 20;
 	result.time[THREADS_DEFAULT].ratio = 2;
+	result.time[THREADS_DEFAULT].ratio_pcss = 0; /* not timed */
 	result.error[REGION_ALL].pixels = result.error[REGION_PENUMBRA].pixels = 0;
 	write_pages(&one, true, &html, &markdown);
-	assert_contains(html.bytes, "<td>1</td><td>-</td><td>-</td><td>-</td><td>-</td>"
-				    "<td>20.00</td><td>2.00</td>");
+	assert_contains(html.bytes, "<td>1</td><td>-</td><td>-</td><td>-</td><td>-</td><td>-</td>"
+				    "<td>-</td><td>20.00</td><td>2.00</td><td>-</td>");
 	assert_contains(markdown.bytes,
-		"| technique | scenes | RMSE | bias | p99 | flicker | ms | ms / hard |\n"
-		"|---|--:|--:|--:|--:|--:|--:|--:|\n"
-		"| hard | 1 | - | - | - | - | 20.00 | 2.00 |\n");
+		"| technique | scenes | RMSE | bias | p99 | RMSE of all | wrong outside | flicker "
+		"| ms | ms / hard | ms / pcss-16 |\n"
+		"|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n"
+		"| hard | 1 | - | - | - | - | - | - | 20.00 | 2.00 | - |\n");
 	text_finish(&html);
 	text_finish(&markdown);
 }

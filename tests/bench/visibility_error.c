@@ -64,6 +64,17 @@ static void test_regions_without_pixels_are_not_a_number(void **state)
 	check_nothing(&found[REGION_ALL]);
 }
 
+static void test_wrong_pixels_outside_penumbrae_are_counted(void **state)
+{
+	(void)state;
+	static const float outside[] = {1, 0, 1, 0, .5f, NAN};
+	static const float drawn[] = {.89f, .11f, .91f, .09f, 0, 0};
+	assert_float_equal(visibility_outside_wrong(drawn, outside, COUNT(drawn)), 2, 0);
+	assert_float_equal(visibility_outside_wrong(outside, outside, COUNT(outside)), 0, 0);
+	assert_float_equal(visibility_outside_wrong(drawn + 4, outside + 4, 2), 0, 0);
+	assert_true(isnan(visibility_outside_wrong(drawn + 5, outside + 5, 1)));
+}
+
 /* A shadow that moves as the true one does not flicker, however wrong it is. */
 static void test_flicker_is_what_the_truth_does_not_do(void **state)
 {
@@ -96,6 +107,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_regions_are_told_apart_by_the_truth),
 		cmocka_unit_test(test_regions_without_pixels_are_not_a_number),
+		cmocka_unit_test(test_wrong_pixels_outside_penumbrae_are_counted),
 		cmocka_unit_test(test_flicker_is_what_the_truth_does_not_do),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
