@@ -2,6 +2,7 @@
 #include "bench/html.h"
 #include "bench/column.h"
 #include "bench/difference.h"
+#include "bench/frontier.h"
 #include "bench/mean.h"
 #include "page/escape.h"
 #include "page/page.h"
@@ -83,7 +84,9 @@ static void write_overview(const struct contents *contents, FILE *file)
 {
 	html_write_plot(contents, contents->main, NULL, file);
 	write_means(contents, contents->main, file);
-	fputs("<p class=\"soft\">Errors are of visibility, linear from 0 to 1, against a "
+	fputs("<p>", file);
+	frontier_write_alone(contents, escape_markup, file);
+	fputs("</p>\n<p class=\"soft\">Errors are of visibility, linear from 0 to 1, against a "
 	      "ray-traced "
 	      "reference, in pixels that see a part of the light. Times are geometric means; of "
 	      "everything else less is better, but for bias, which is best at 0 and above it too "

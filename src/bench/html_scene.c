@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "bench/frontier.h"
 #include "bench/html.h"
 #include "bench/table.h"
 #include "page/escape.h"
@@ -47,7 +48,9 @@ static void write_table(const struct rows *rows, FILE *file)
 	fputs("<tbody>\n", file);
 	while ((row = rows_next(rows, row)) != NULL)
 		write_row(rows->contents, row, file);
-	fputs("</tbody></table></div>\n", file);
+	fputs("</tbody></table></div>\n<p>", file);
+	frontier_write(rows, escape_markup, file);
+	fputs("</p>\n", file);
 }
 
 static double passes_total(const struct result *result)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench/markdown.h"
 #include "bench/column.h"
+#include "bench/frontier.h"
 #include "bench/mean.h"
 #include "bench/table.h"
 #include <string.h>
@@ -96,6 +97,8 @@ static void write_table(const struct rows *rows, FILE *file)
 	while ((row = rows_next(rows, row)) != NULL)
 		write_row(rows->contents, row, file);
 	fputc('\n', file);
+	frontier_write(rows, markdown_text, file);
+	fputs("\n\n", file);
 }
 
 static void write_scene(const struct contents *contents, const struct result *scene, FILE *file)
@@ -151,6 +154,8 @@ void markdown_write(const struct contents *contents, FILE *file)
 			write_means(contents, contents->settings.items[i], file);
 		}
 		markdown_precisions(contents->results, file);
+		frontier_write_alone(contents, markdown_text, file);
+		fputs("\n\n", file);
 	} else {
 		fputs("Nothing was measured.\n\n", file);
 	}

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench/pareto.h"
-#include <stdbool.h>
 
-static bool dominates(const double *a, const double *b)
+bool pareto_dominates(const double a[2], const double b[2])
 {
 	return a[0] <= b[0] && a[1] <= b[1] && (a[0] < b[0] || a[1] < b[1]);
 }
@@ -11,7 +10,7 @@ static bool is_beaten(const double (*points)[2], size_t count, size_t i)
 {
 	for (size_t j = 0; j < count; j++) {
 		bool equal = points[j][0] == points[i][0] && points[j][1] == points[i][1];
-		if (dominates(points[j], points[i]) || (equal && j < i))
+		if (pareto_dominates(points[j], points[i]) || (equal && j < i))
 			return true;
 	}
 	return false;

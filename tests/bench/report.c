@@ -350,6 +350,43 @@ static void test_means_of_times_need_no_errors(void **state)
 	text_finish(&markdown);
 }
 
+static struct result at(const char *scene, const char *technique, double ms, double rmse)
+{
+	struct result result = make_result(scene, technique);
+	result.time[THREADS_DEFAULT].median = ms;
+	result.error[REGION_PENUMBRA].rmse = rmse;
+	return result;
+}
+
+static void test_the_frontier_is_told(void **state)
+{
+	(void)state;
+	struct text html = {0}, markdown = {0};
+	struct result points[] = {at("fence", "hard", 10, .3), at("fence", "quick", 20, .05),
+		at("fence", "near", 30, .01), at("fence", "slow", 40, .01),
+		at("knot", "hard", 10, .3), at("knot", "quick", 20, .049),
+		at("knot", "near", 30, .01), at("boxes", "hard", 10, .3),
+		at("boxes", "near", 0, .01)};
+	const struct result_list all = {points, COUNT(points), 0}, untimed = {points + 8, 1, 0};
+	write_pages(&all, false, &html, &markdown);
+	static const char *const told[] = {"in both time and error: near.",
+		"in both time and error: quick, near.", "in both time and error: none.",
+		"one alone that none beats in both time and error: near in 1 of 3 scenes and "
+		"settings."};
+	for (size_t i = 0; i < COUNT(told); i++) {
+		assert_contains(html.bytes, told[i]);
+		assert_contains(markdown.bytes, told[i]);
+	}
+	points[2].error[REGION_PENUMBRA].rmse = points[3].error[REGION_PENUMBRA].rmse = .05;
+	write_pages(&all, false, &html, &markdown);
+	assert_contains(
+		markdown.bytes, "in both time and error: in none of 3 scenes and settings.");
+	write_pages(&untimed, false, &html, &markdown);
+	assert_null(strstr(markdown.bytes, "in both time and error"));
+	text_finish(&html);
+	text_finish(&markdown);
+}
+
 static struct result in_precision(const char *technique, const char *precision, double rmse)
 {
 	struct result result = make_result("fence", technique);
@@ -436,6 +473,7 @@ int main(void)
 		cmocka_unit_test(test_best_values_are_marked),
 		cmocka_unit_test(test_columns_that_nothing_was_measured_in_are_left_out),
 		cmocka_unit_test(test_means_of_times_need_no_errors),
+		cmocka_unit_test(test_the_frontier_is_told),
 		cmocka_unit_test(test_precisions_are_held_against_float),
 		cmocka_unit_test(test_names_of_files_differ_as_scenes_do),
 		cmocka_unit_test(test_difference_pictures_are_shown_where_they_are),
