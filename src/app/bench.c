@@ -191,6 +191,8 @@ static bool measure_cell(struct bench *bench, const struct bench_cell *cell, str
 	struct job job = {.cell = cell};
 	if (!run_job(bench, &job, "error", measure_error, error))
 		return false;
+	if (bench->options->errors)
+		return true;
 	for (; job.threads <= last_threads(bench->options); job.threads++)
 		if (!run_job(bench, &job, "time", measure_times, error))
 			return false;
@@ -207,10 +209,11 @@ static struct report report_of(const struct bench *bench)
 }
 
 /* A picture that an earlier run left in the folder is none of this one's. */
-static void remove_difference(const struct bench *bench, const struct result *result)
+static void remove_picture(const struct bench *bench, const struct result *result,
+	void (*find_name)(const struct result *result, char name[FILE_NAME_MAX]))
 {
 	char name[FILE_NAME_MAX], path[PATH_MAX];
-	difference_file_name(result, name);
+	find_name(result, name);
 	if (snprintf(path, sizeof(path), "%s/%s", bench->options->out, name) < (int)sizeof(path))
 		unlink(path);
 }
@@ -223,7 +226,9 @@ static bool keep_cell(struct bench *bench, const struct bench_cell *cell, struct
 		struct result *result = &bench->board->results[i];
 		run_facts_machine(&bench->facts, result->machine, sizeof(result->machine));
 		if (!reference_is_built() || !cell->pictures)
-			remove_difference(bench, result);
+			remove_picture(bench, result, difference_file_name);
+		if (!reference_is_built())
+			remove_picture(bench, result, sheet_file_name);
 		if (!result_list_add(&bench->results, result, error))
 			return false;
 	}
@@ -259,12 +264,18 @@ static bool measure_all(struct bench *bench, struct sm_error *error)
 	return true;
 }
 
+static uint32_t cost_steps(const struct bench_options *options)
+{
+	uint32_t steps = BENCH_COST_MEMORY_STEPS * (uint32_t)options->technique_count;
+	for (enum thread_choice i = THREADS_DEFAULT; i <= last_threads(options); i++)
+		steps += bench_cost_times_steps(options, i);
+	return steps;
+}
+
 static uint32_t total_steps(const struct bench_options *options)
 {
 	uint32_t cell = (reference_is_built() ? bench_accuracy_steps(options) : 0) +
-			BENCH_COST_MEMORY_STEPS * (uint32_t)options->technique_count;
-	for (enum thread_choice i = THREADS_DEFAULT; i <= last_threads(options); i++)
-		cell += bench_cost_times_steps(options, i);
+			(options->errors ? 0 : cost_steps(options));
 	return cell * (uint32_t)cell_count(options);
 }
 

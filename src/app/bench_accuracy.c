@@ -6,12 +6,14 @@
 #include "app/output.h"
 #include "bench/contents.h"
 #include "bench/difference.h"
+#include "bench/sheet.h"
 #include "bench/visibility_error.h"
 #include "page/png.h"
 #include "platform.h"
 #include "ref/reference.h"
 #include <limits.h>
 #include <stdio.h>
+#include <string.h>
 
 #define FLICKER_FRAMES 6
 #define FLICKER_SIZE 256 /* pixels a side at most */
@@ -96,15 +98,21 @@ static bool encode(const struct picture *picture, const char *path, struct sm_er
 	return written;
 }
 
+static bool find_path(
+	const char *folder, const char *name, char path[PATH_MAX], struct sm_error *error)
+{
+	return snprintf(path, PATH_MAX, "%s/%s", folder, name) < PATH_MAX ||
+	       error_set(error, SM_ERROR_INPUT, "--out: the name is too long");
+}
+
 static bool write_difference(const struct gallery *gallery, const char *folder,
 	const struct result *result, struct sm_error *error)
 {
 	char name[FILE_NAME_MAX], path[PATH_MAX];
 	struct picture picture = {0};
 	difference_file_name(result, name);
-	if (snprintf(path, sizeof(path), "%s/%s", folder, name) >= (int)sizeof(path))
-		return error_set(error, SM_ERROR_INPUT, "--out: the name is too long");
 	bool made =
+		find_path(folder, name, path, error) &&
 		difference_montage(&picture, gallery->view.seen[0], gallery->truth[0].visibility,
 			gallery->view.target.width, gallery->view.target.height, error);
 	bool written = made && encode(&picture, path, error);
@@ -163,6 +171,44 @@ static uint32_t smaller(uint32_t a, uint32_t b)
 	return a < b ? a : b;
 }
 
+/* What was drawn last in the gallery. */
+static void show(struct sheet *sheet, const struct gallery *gallery, const struct result *result)
+{
+	char name[64], note[32] = "";
+	bool plain = strcmp(result->precision, "float") == 0;
+	snprintf(name, sizeof(name), "%s%s%s", result->technique, plain ? "" : " ",
+		plain ? "" : result->precision);
+	if (result->error[REGION_PENUMBRA].pixels > 0)
+		snprintf(note, sizeof(note), "rmse %.4f", result->error[REGION_PENUMBRA].rmse);
+	sheet_add(sheet, name, note, gallery->view.seen[0]);
+}
+
+static bool write_sheet(
+	const struct sheet *sheet, const struct bench_cell *cell, struct sm_error *error)
+{
+	char name[FILE_NAME_MAX], path[PATH_MAX];
+	sheet_file_name(&cell->results[0], name);
+	return find_path(cell->options->out, name, path, error) &&
+	       encode(&sheet->picture, path, error);
+}
+
+static bool measure_errors(
+	const struct bench_cell *cell, struct gallery *still, struct sm_error *error)
+{
+	size_t count = cell->options->technique_count;
+	struct sheet sheet;
+	bool measured = sheet_init(&sheet, still->truth[0].visibility, still->view.target.width,
+		still->view.target.height, count, error);
+	for (size_t i = 0; i < count && measured; i++) {
+		measured = with_renderer(still, cell, i, measure_error, error);
+		if (measured)
+			show(&sheet, still, &cell->results[i]);
+	}
+	measured = measured && write_sheet(&sheet, cell, error);
+	sheet_finish(&sheet);
+	return measured;
+}
+
 static bool measure_all(const struct bench_cell *cell, struct gallery *still,
 	struct gallery *moving, struct sm_error *error)
 {
@@ -172,9 +218,10 @@ static bool measure_all(const struct bench_cell *cell, struct gallery *still,
 	if (!gallery_init(still, cell, size, 1, TRUTH_STEPS, error) ||
 		!gallery_init(moving, cell, small, FLICKER_FRAMES, FLICKER_TRUTH_STEPS, error))
 		return false;
+	if (!measure_errors(cell, still, error))
+		return false;
 	for (size_t i = 0; i < cell->options->technique_count; i++)
-		if (!with_renderer(still, cell, i, measure_error, error) ||
-			!with_renderer(moving, cell, i, measure_flicker, error))
+		if (!with_renderer(moving, cell, i, measure_flicker, error))
 			return false;
 	return true;
 }

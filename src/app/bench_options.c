@@ -17,6 +17,7 @@ enum {
 	FLAG_SAMPLES,
 	FLAG_OUT,
 	FLAG_COMPARE,
+	FLAG_ERRORS,
 	FLAG_QUICK,
 	FLAG_STRESS,
 	FLAG_SEED,
@@ -38,6 +39,7 @@ static const struct flag flags[] = {
 	{FLAG_SAMPLES, "samples", "N", "of the light, by the reference, in penumbrae"},
 	{FLAG_OUT, "out", "DIR", "folder for what is written; default: bench-results"},
 	{FLAG_COMPARE, "compare", "FILE", "print what changed since that results.csv"},
+	{FLAG_ERRORS, "errors", NULL, "measure errors alone, no times and no memory"},
 	{FLAG_QUICK, "quick", NULL, "measure a part, in minutes"},
 	{FLAG_STRESS, "stress", "[=SWEEP]", "look for numbers that break the techniques instead"},
 	{FLAG_SEED, "seed", "N", "with --stress: of the random scenes"},
@@ -221,6 +223,9 @@ static bool read_flag(
 	case FLAG_COMPARE:
 		options->compare = value;
 		return true;
+	case FLAG_ERRORS:
+		options->errors = true;
+		return true;
 	case FLAG_QUICK:
 		options->quick = true;
 		return true;
@@ -368,6 +373,7 @@ static const uint8_t heeded[] = {
 	[FLAG_SAMPLES - FLAG_OWN] = MODE_RESULTS,
 	[FLAG_OUT - FLAG_OWN] = MODES_ALL,
 	[FLAG_COMPARE - FLAG_OWN] = MODE_RESULTS,
+	[FLAG_ERRORS - FLAG_OWN] = MODE_RESULTS,
 	[FLAG_QUICK - FLAG_OWN] = MODE_RESULTS | MODE_STRESS,
 	[FLAG_STRESS - FLAG_OWN] = MODE_STRESS,
 	[FLAG_SEED - FLAG_OWN] = MODE_STRESS,

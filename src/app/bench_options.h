@@ -41,6 +41,7 @@ struct bench_options {
 	bool stress;                  /**< numerical stress instead: bench_stress.h */
 	const char *sweep;            /**< the only one of it; NULL: all */
 	uint32_t seed, random_scenes; /**< of it; 0: the default */
+	bool errors;                  /**< no times, no memory */
 	bool quick;                   /**< a part that takes minutes instead of an hour */
 };
 

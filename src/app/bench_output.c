@@ -19,11 +19,12 @@ static bool file_path(const char *folder, const char *name, char *path, struct s
 
 bool bench_output_prepare(const char *folder, struct sm_error *error)
 {
-	char csv[PATH_MAX], differences[PATH_MAX];
+	char csv[PATH_MAX], differences[PATH_MAX], sheets[PATH_MAX];
 	return file_path(folder, "results.csv", csv, error) &&
 	       file_path(folder, "differences", differences, error) &&
-	       report_make_folder(folder, error) && output_check(csv, error) &&
-	       report_make_folder(differences, error);
+	       file_path(folder, "sheets", sheets, error) && report_make_folder(folder, error) &&
+	       output_check(csv, error) && report_make_folder(differences, error) &&
+	       report_make_folder(sheets, error);
 }
 
 bool bench_output_file(const char *folder, const char *name,

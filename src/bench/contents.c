@@ -119,6 +119,16 @@ void difference_file_name(const struct result *result, char name[FILE_NAME_MAX])
 	strcat(name, ".png");
 }
 
+void sheet_file_name(const struct result *result, char name[FILE_NAME_MAX])
+{
+	char setting[64];
+	strcpy(name, "sheets/");
+	append_plain(name, result->scene);
+	snprintf(setting, sizeof(setting), "-r%g-m%u", result->radius, result->map);
+	append_plain(name, setting);
+	strcat(name, ".png");
+}
+
 bool has_plot(
 	const struct contents *contents, const struct result *setting, const struct result *scene)
 {
@@ -131,10 +141,23 @@ bool has_plot(
 	return false;
 }
 
-bool has_difference(const struct contents *contents, const struct result *result)
+static bool has_file(const struct contents *contents, const char *name)
 {
-	char name[FILE_NAME_MAX], path[PATH_MAX];
-	difference_file_name(result, name);
+	char path[PATH_MAX];
 	int length = snprintf(path, sizeof(path), "%s/%s", contents->folder, name);
 	return length < (int)sizeof(path) && access(path, R_OK) == 0;
+}
+
+bool has_difference(const struct contents *contents, const struct result *result)
+{
+	char name[FILE_NAME_MAX];
+	difference_file_name(result, name);
+	return has_file(contents, name);
+}
+
+bool has_sheet(const struct contents *contents, const struct result *result)
+{
+	char name[FILE_NAME_MAX];
+	sheet_file_name(result, name);
+	return has_file(contents, name);
 }

@@ -45,11 +45,16 @@ void plot_file_name(const struct contents *contents, const struct result *settin
 /** Writes where the difference picture of a result is below the folder. */
 void difference_file_name(const struct result *result, char name[FILE_NAME_MAX]);
 
+/** Writes where the techniques of a result's scene and setting, whatever its precision, are shown
+ *  side by side, below the folder. */
+void sheet_file_name(const struct result *result, char name[FILE_NAME_MAX]);
+
 /** Whether there is a chart: gnuplot was there, and a time and an error were measured. */
 bool has_plot(
 	const struct contents *contents, const struct result *setting, const struct result *scene);
 
 /** Whether the folder has such a picture. */
 bool has_difference(const struct contents *contents, const struct result *result);
+bool has_sheet(const struct contents *contents, const struct result *result);
 
 #endif

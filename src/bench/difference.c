@@ -55,7 +55,7 @@ void difference_write_gradient(FILE *file)
 	fputc(')', file);
 }
 
-static void grey_color(float visibility, uint8_t rgb[3])
+void difference_grey(float visibility, uint8_t rgb[3])
 {
 	memset(rgb, encode_srgb(visibility), 3);
 }
@@ -71,9 +71,9 @@ static void paint_pixel(struct picture *picture, size_t x, size_t y, size_t stri
 	uint8_t rgb[3];
 	if (isnan(visibility) || isnan(reference))
 		return;
-	grey_color(reference, rgb);
+	difference_grey(reference, rgb);
 	paint(picture, x, y, rgb);
-	grey_color(visibility, rgb);
+	difference_grey(visibility, rgb);
 	paint(picture, x + stride, y, rgb);
 	difference_color(visibility - reference, rgb);
 	paint(picture, x + 2 * stride, y, rgb);

@@ -18,6 +18,9 @@ struct picture {
  *  blue where it is too dark, in steps that look alike. */
 void difference_color(float error, uint8_t rgb[3]);
 
+/** The grey of a visibility, linear in [0, 1]. */
+void difference_grey(float visibility, uint8_t rgb[3]);
+
 /** Writes the colours from the darkest to the brightest, as a gradient of CSS to the right. */
 void difference_write_gradient(FILE *file);
 

@@ -162,6 +162,20 @@ static void write_differences(const struct rows *rows, FILE *file)
 		fputs("</div>\n", file);
 }
 
+static void write_sheet(const struct rows *rows, FILE *file)
+{
+	const struct result *row = rows_next(rows, NULL);
+	char name[FILE_NAME_MAX];
+	if (!has_sheet(rows->contents, row))
+		return;
+	sheet_file_name(row, name);
+	fprintf(file,
+		"<h4>Side by side</h4>\n<figure><a href=\"%s\"><img loading=\"lazy\" src=\"%s\" "
+		"alt=\"Where the penumbra is widest, the reference and each technique above its "
+		"difference from that\"></a></figure>\n",
+		name, name);
+}
+
 /* What is of another setting than the main one. */
 static void write_details(const struct rows *rows, FILE *file)
 {
@@ -171,6 +185,7 @@ static void write_details(const struct rows *rows, FILE *file)
 	escape_markup(text, file);
 	fputs("</summary>\n", file);
 	write_table(rows, file);
+	write_sheet(rows, file);
 	write_differences(rows, file);
 	fputs("</details>\n", file);
 }
@@ -186,6 +201,7 @@ void html_write_scene(const struct contents *contents, const struct result *scen
 		html_write_plot(contents, contents->main, scene, file);
 		write_table(&main, file);
 		write_passes(&main, file);
+		write_sheet(&main, file);
 		write_differences(&main, file);
 	}
 	for (size_t i = 0; i < contents->settings.count; i++) {

@@ -132,14 +132,14 @@ static void check_files(void)
 {
 	static const char *const names[] = {
 		"out/results.csv", "out/results.json", "out/report.html", "out/results.md"};
-	static const char *const differences[] = {
-		"out/differences/cylinder-hard-r0.1-m64-float.png",
-		"out/differences/cylinder-smoothie-r0.1-m64-float.png"};
+	static const char *const pictures[] = {"out/differences/cylinder-hard-r0.1-m64-float.png",
+		"out/differences/cylinder-smoothie-r0.1-m64-float.png",
+		"out/sheets/cylinder-r0.1-m64.png"};
 	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
 		if (access(names[i], R_OK) != 0)
 			fail_msg("there is no %s", names[i]);
-	for (size_t i = 0; i < 2; i++)
-		assert_int_equal(access(differences[i], R_OK), SMOOTHIE_HAS_REFERENCE ? 0 : -1);
+	for (size_t i = 0; i < sizeof(pictures) / sizeof(pictures[0]); i++)
+		assert_int_equal(access(pictures[i], R_OK), SMOOTHIE_HAS_REFERENCE ? 0 : -1);
 }
 
 static void test_a_run_leaves_a_row_for_each_technique(void **state)
@@ -181,6 +181,22 @@ static void test_hard_is_timed_unasked(void **state)
 	assert_string_equal(results.items[0].technique, "smoothie");
 	assert_true(results.items[0].time[THREADS_DEFAULT].ratio != 1);
 	assert_true(results.items[0].time[THREADS_NONE].median == 0);
+	result_list_finish(&results);
+	outcome_finish(&outcome);
+}
+
+static void test_errors_alone_take_no_times(void **state)
+{
+	(void)state;
+	struct outcome outcome = BENCH("--technique=hard", "--radius=.1", "--errors");
+	assert_success(&outcome);
+	struct result_list results = read_results("bench-results/results.csv");
+	assert_int_equal(results.count, 1);
+	if (SMOOTHIE_HAS_REFERENCE)
+		check_errors(&results.items[0]);
+	for (int threads = 0; threads < THREAD_CHOICES; threads++)
+		assert_float_equal(results.items[0].time[threads].median, 0, 0);
+	assert_int_equal(results.items[0].peak_bytes, 0);
 	result_list_finish(&results);
 	outcome_finish(&outcome);
 }
@@ -462,6 +478,7 @@ static const struct {
 	{"--radius does nothing with --stress", {"--stress", "--radius", ".1"}},
 	{"--paper does nothing with --stress", {"--paper", "--stress"}},
 	{"--rounds does nothing with --paper", {"--paper", "--rounds", "3"}},
+	{"--errors does nothing with --stress", {"--stress", "--errors"}},
 	{"--quick does nothing with --paper", {"--paper", "--quick"}},
 	{"there are: smoothie, smoothie-two-sided, ", {"--technique", "shiny"}},
 	{"--scene b/room.ini: results would", {"--scene", "a/room.ini", "--scene", "b/room.ini"}},
@@ -492,6 +509,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		IN_SCRATCH(test_a_run_leaves_a_row_for_each_technique),
 		IN_SCRATCH(test_hard_is_timed_unasked),
+		IN_SCRATCH(test_errors_alone_take_no_times),
 		IN_SCRATCH(test_rows_go_through_scenes_radii_and_maps),
 		IN_SCRATCH(test_choices_of_samples_are_techniques_of_their_own),
 		IN_SCRATCH(test_precisions_are_rows_of_their_own),

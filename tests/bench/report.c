@@ -436,21 +436,46 @@ static void test_names_of_files_differ_as_scenes_do(void **state)
 	}
 }
 
+static void leave_file(const char *name)
+{
+	char path[FILE_NAME_MAX + 64];
+	snprintf(path, sizeof(path), "%s/%s", folder, name);
+	FILE *file = fopen(path, "w");
+	assert_non_null(file);
+	fclose(file);
+}
+
+static void test_sheets_are_shown_where_they_are(void **state)
+{
+	(void)state;
+	struct text html = {0}, markdown = {0};
+	char name[FILE_NAME_MAX], sheets[128];
+	sheet_file_name(&results[1], name);
+	assert_string_equal(name, "sheets/fence-r0.03-m512.png");
+	snprintf(sheets, sizeof(sheets), "%s/sheets", folder);
+	assert_true(report_make_folder(sheets, NULL));
+	write_pages(&list, true, &html, &markdown);
+	assert_null(strstr(html.bytes, "Side by side"));
+	leave_file(name);
+	write_pages(&list, true, &html, &markdown);
+	assert_contains(html.bytes, "<a href=\"sheets/fence-r0.03-m512.png\">");
+	assert_well_formed(html.bytes);
+	text_finish(&html);
+	text_finish(&markdown);
+}
+
 static void test_difference_pictures_are_shown_where_they_are(void **state)
 {
 	(void)state;
 	struct text html = {0}, markdown = {0};
-	char name[FILE_NAME_MAX], path[FILE_NAME_MAX + 64];
+	char name[FILE_NAME_MAX], path[128];
 	write_pages(&list, true, &html, &markdown);
 	assert_null(strstr(html.bytes, "class=\"differences\""));
 	difference_file_name(&results[1], name);
 	assert_string_equal(name, "differences/fence-pcss-16-r0.03-m512-highp.png");
 	snprintf(path, sizeof(path), "%s/differences", folder);
 	assert_true(report_make_folder(path, NULL));
-	snprintf(path, sizeof(path), "%s/%s", folder, name);
-	FILE *file = fopen(path, "w");
-	assert_non_null(file);
-	fclose(file);
+	leave_file(name);
 	write_pages(&list, true, &html, &markdown);
 	assert_contains(html.bytes, "<a href=\"differences/fence-pcss-16-r0.03-m512-highp.png\">");
 	assert_well_formed(html.bytes);
@@ -476,6 +501,7 @@ int main(void)
 		cmocka_unit_test(test_the_frontier_is_told),
 		cmocka_unit_test(test_precisions_are_held_against_float),
 		cmocka_unit_test(test_names_of_files_differ_as_scenes_do),
+		cmocka_unit_test(test_sheets_are_shown_where_they_are),
 		cmocka_unit_test(test_difference_pictures_are_shown_where_they_are),
 	};
 	const char *path = getenv("PATH");
