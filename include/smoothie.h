@@ -328,6 +328,7 @@ SM_API bool sm_renderer_copy_to_screen(
 struct sm_frame_stats {
 	uint32_t draw_calls;
 	uint32_t lights;           /**< drawn with shadows */
+	uint32_t hard_lights;      /**< of these: by "auto", as "hard" */
 	uint64_t triangles;        /**< submitted, all passes */
 	uint64_t silhouette_edges; /**< all lights */
 	uint64_t fin_vertices;

@@ -320,6 +320,7 @@ static void print_stats(const struct render *render, FILE *file)
 	stopwatch_describe(&render->stopwatch, &facts);
 	facts_format(&facts, "draw calls", "%" PRIu32, stats.draw_calls);
 	facts_format(&facts, "lights", "%" PRIu32, stats.lights);
+	facts_format(&facts, "lights drawn hard by auto", "%" PRIu32, stats.hard_lights);
 	facts_format(&facts, "triangles", "%" PRIu64, stats.triangles);
 	facts_format(&facts, "silhouette edges", "%" PRIu64, stats.silhouette_edges);
 	facts_format(&facts, "fin vertices", "%" PRIu64, stats.fin_vertices);

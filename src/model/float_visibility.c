@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "model/technique.h"
 #include "scene/camera.h"
+#include "scene/penumbra.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +17,27 @@ static const struct model_technique *find_technique(const char *name)
 		if (strcmp(techniques[i]->name, name) == 0)
 			return techniques[i];
 	return NULL;
+}
+
+static bool is_auto(const char *name)
+{
+	return strcmp(name, "auto") == 0;
+}
+
+/* Whether the light's screen holds no more than casters shade: auto's does, whatever it draws. */
+static bool fits_screen(const char *name)
+{
+	const struct model_technique *technique = find_technique(is_auto(name) ? "gather" : name);
+	return technique != NULL && technique->fits;
+}
+
+/* What "auto" comes to in a first frame, or the technique itself. */
+static const char *name_drawn(const char *name, const struct model_light *light)
+{
+	if (!is_auto(name))
+		return name;
+	float texels = penumbra_texels(light->scene, &light->frame, (uint32_t)light->size);
+	return penumbra_shows(texels, false) ? "gather" : "hard";
 }
 
 /* A technique on its light's maps, and the camera's view. */
@@ -68,14 +90,15 @@ bool model_float_visibility(const struct sm_scene *scene, const struct sm_view *
 			.options = *options,
 			.size = (int)options->map_size,
 			.snap_bits = (int)snap_bits},
-		.technique = find_technique(options->technique),
 	};
-	if (scenery.technique == NULL)
-		return error_set(error, SM_ERROR_INPUT, "no model of the technique \"%s\"",
-			options->technique);
+	const char *name = options->technique;
 	const struct sm_light_desc *light = &scene->lights[view->visibility_of].desc;
-	(scenery.technique->fits ? light_frame_fit : light_frame_init)(
+	(fits_screen(name) ? light_frame_fit : light_frame_init)(
 		&scenery.light.frame, light, scene);
+	name = name_drawn(name, &scenery.light);
+	scenery.technique = find_technique(name);
+	if (scenery.technique == NULL)
+		return error_set(error, SM_ERROR_INPUT, "no model of the technique \"%s\"", name);
 	bool drawn = set_up(&scenery, view, error);
 	for (int y = 0; drawn && y < (int)view->height; y++)
 		for (int x = 0; x < (int)view->width; x++)

@@ -12,6 +12,7 @@ static const struct technique *const techniques[] = {
 	&technique_vsm,
 	&technique_maps,
 	&technique_gather,
+	&technique_auto,
 };
 
 const struct technique *technique_at(size_t index)

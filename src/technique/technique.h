@@ -68,7 +68,7 @@ extern const struct technique technique_hard, technique_pcf, technique_smoothie;
 extern const struct technique technique_smoothie_two_sided;
 extern const struct technique technique_penumbra_map;
 extern const struct technique technique_pcss, technique_vsm, technique_maps;
-extern const struct technique technique_gather;
+extern const struct technique technique_gather, technique_auto;
 
 /** NULL past the last one. */
 const struct technique *technique_at(size_t index);
