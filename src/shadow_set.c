@@ -9,21 +9,30 @@
 /* Border texels stay clear: a map of one or two texels a side shows no shadow. */
 #define MAP_SIZE_MIN 1
 
+/* Bits of enum technique_option that are not left at 0. */
+static unsigned int options_set(const struct sm_shadow_options *options)
+{
+	return (options->width != 0.0f ? OPTION_WIDTH : 0) |
+	       (options->falloff != SM_FALLOFF_DEFAULT ? OPTION_FALLOFF : 0) |
+	       (options->passes != 0 ? OPTION_PASSES : 0) |
+	       (options->precision > SM_PRECISION_FLOAT ? OPTION_PRECISION : 0);
+}
+
 static bool check_used(const struct sm_shadow_options *options, const struct technique *technique,
 	struct sm_error *error)
 {
-	const struct {
+	static const struct {
 		const char *name;
 		enum technique_option option;
-		bool set;
 	} fields[] = {
-		{"width", OPTION_WIDTH, options->width != 0.0f},
-		{"falloff", OPTION_FALLOFF, options->falloff != SM_FALLOFF_DEFAULT},
-		{"passes", OPTION_PASSES, options->passes != 0},
-		{"precision", OPTION_PRECISION, options->precision > SM_PRECISION_FLOAT},
+		{"width", OPTION_WIDTH},
+		{"falloff", OPTION_FALLOFF},
+		{"passes", OPTION_PASSES},
+		{"precision", OPTION_PRECISION},
 	};
+	unsigned int unused = options_set(options) & ~technique->options;
 	for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); i++)
-		if (fields[i].set && !(technique->options & fields[i].option))
+		if (unused & fields[i].option)
 			return error_set(error, SM_ERROR_INPUT,
 				"shadow %s does nothing with the technique \"%s\"; leave it out",
 				fields[i].name, technique->name);
@@ -94,9 +103,21 @@ static bool check_precision(const struct sm_shadow_options *options, struct sm_e
 	return true;
 }
 
-static const struct technique *find_technique(const char *name, struct sm_error *error)
+/* The first that uses all that is set; "smoothie" uses everything. */
+static const struct technique *default_technique(const struct sm_shadow_options *options)
 {
-	const struct technique *technique = name != NULL ? technique_find(name) : technique_at(0);
+	size_t i = 0;
+	while (options_set(options) & ~technique_at(i)->options)
+		i++;
+	return technique_at(i);
+}
+
+static const struct technique *find_technique(
+	const struct sm_shadow_options *options, struct sm_error *error)
+{
+	const char *name = options->technique;
+	const struct technique *technique =
+		name != NULL ? technique_find(name) : default_technique(options);
 	if (technique != NULL)
 		return technique;
 	char names[200] = "";
@@ -112,7 +133,7 @@ bool shadow_set_init(struct shadow_set *set, const struct sm_shadow_options *opt
 	const struct caps *caps, struct sm_error *error)
 {
 	*set = (struct shadow_set){.options = *options};
-	set->technique = find_technique(options->technique, error);
+	set->technique = find_technique(options, error);
 	if (set->technique == NULL || !check_used(options, set->technique, error) ||
 		!check_samples(&set->options, set->technique, error) ||
 		!check_range(options, caps, error) || !check_precision(options, error))
