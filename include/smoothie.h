@@ -248,7 +248,9 @@ enum sm_precision {
 /** How shadows are made. Zero in a field means the default. A field that the technique does not
  *  use must stay zero: setting it is an error. */
 struct sm_shadow_options {
-	const char *technique; /**< a name of sm_technique_name(); NULL: the default, "smoothie" */
+	/** A name of sm_technique_name(). NULL: the first that uses every field that is not zero, of
+	 *  width, falloff, passes and precision: "auto" if all are, else "smoothie". */
+	const char *technique;
 	uint32_t map_size; /**< texels a side of the shadow map, 1 to the driver's limit; up to 2
 				show no shadow, since border texels stay clear;
 				default 1024 */

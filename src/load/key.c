@@ -70,7 +70,7 @@ static const struct key keys[] = {
 	{SECTION_MOTION, "period", KEY_PERIOD, offsetof(struct plan_motion, period), .initial = "0",
 		.min = .1, .max = 1e6},
 	{SECTION_SHADOW, "technique", KEY_TEXT, offsetof(struct plan_shadow, technique),
-		.follows = "smoothie"},
+		.follows = "auto"},
 	{SECTION_SHADOW, "map", KEY_COUNT, offsetof(struct plan_shadow, map), .follows = "1024",
 		.min = 1, .max = 16384},
 	{SECTION_SHADOW, "width", KEY_NUMBER, offsetof(struct plan_shadow, width),

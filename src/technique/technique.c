@@ -3,6 +3,7 @@
 #include <string.h>
 
 static const struct technique *const techniques[] = {
+	&technique_auto,
 	&technique_smoothie,
 	&technique_smoothie_two_sided,
 	&technique_penumbra_map,
@@ -12,7 +13,6 @@ static const struct technique *const techniques[] = {
 	&technique_vsm,
 	&technique_maps,
 	&technique_gather,
-	&technique_auto,
 };
 
 const struct technique *technique_at(size_t index)

@@ -480,7 +480,7 @@ static const struct {
 	{"--rounds does nothing with --paper", {"--paper", "--rounds", "3"}},
 	{"--errors does nothing with --stress", {"--stress", "--errors"}},
 	{"--quick does nothing with --paper", {"--paper", "--quick"}},
-	{"there are: smoothie, smoothie-two-sided, ", {"--technique", "shiny"}},
+	{"there are: auto, smoothie, ", {"--technique", "shiny"}},
 	{"--scene b/room.ini: results would", {"--scene", "a/room.ini", "--scene", "b/room.ini"}},
 	{"cannot read missing.csv", {"--compare", "missing.csv"}},
 	{"scene.ini: name scenes by --scene", {"scene.ini"}},

@@ -49,7 +49,7 @@ static void bad_options_are_refused_with_a_reason(void **state)
 		struct sm_shadow_options options;
 		const char *text;
 	} cases[] = {
-		{{.technique = "soft"}, "no technique \"soft\"; there are: smoothie, "},
+		{{.technique = "soft"}, "no technique \"soft\"; there are: auto, "},
 		{{.technique = ""}, "no technique \"\""},
 		{{.technique = "hard", .width = 0.1f}, "shadow width does nothing"},
 		{{.technique = "hard", .falloff = SM_FALLOFF_LINEAR},
@@ -87,7 +87,7 @@ static void techniques_have_names_and_summaries_the_default_first(void **state)
 {
 	struct rig *rig = *state;
 	size_t count = 0;
-	assert_string_equal(sm_technique_name(0), "smoothie");
+	assert_string_equal(sm_technique_name(0), "auto");
 	for (; sm_technique_name(count) != NULL; count++) {
 		struct sm_shadow_options options = {.technique = sm_technique_name(count)};
 		rig_set_shadows(rig, &options);

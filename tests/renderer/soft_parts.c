@@ -247,7 +247,7 @@ static void describe(char text[100], const struct sm_light_desc *light, const ch
 	snprintf(text, 100, "%s, seen from %s", light->name, view);
 }
 
-static const struct sm_shadow_options small_map = {.map_size = 256};
+static const struct sm_shadow_options small_map = {.technique = "smoothie", .map_size = 256};
 
 static void check_views(struct census *census, struct rig *rig, const struct sm_light_desc *light)
 {

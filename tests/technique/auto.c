@@ -172,12 +172,43 @@ static void test_each_light_has_its_own(void **state)
 	assert_int_equal(stats.hard_lights, 1);
 }
 
+/* Those that it does not have stand for the technique that does. */
+static void test_it_is_the_default_without_options_of_others(void **state)
+{
+	struct rig *rig = *state;
+	static const struct {
+		struct sm_shadow_options left_open, named;
+	} cases[] = {
+		{{0}, {.technique = "auto"}},
+		{{.width = 0.1f}, {.technique = "smoothie", .width = 0.1f}},
+		{{.passes = 2}, {.technique = "smoothie", .passes = 2}},
+		{{.falloff = SM_FALLOFF_SINUSOID},
+			{.technique = "smoothie", .falloff = SM_FALLOFF_SINUSOID}},
+		{{.precision = SM_PRECISION_FIXED12},
+			{.technique = "smoothie", .precision = SM_PRECISION_FIXED12}},
+		{{.precision = SM_PRECISION_FLOAT}, {.technique = "auto"}},
+	};
+	fill_scene(rig->scene);
+	set_radius(rig, 0, 0.3f);
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct visibility seen, wanted;
+		rig_set_shadows(rig, &cases[i].left_open);
+		visibility_draw(&seen, rig, rig->scene, &camera, SIZE, SIZE);
+		rig_set_shadows(rig, &cases[i].named);
+		visibility_draw(&wanted, rig, rig->scene, &camera, SIZE, SIZE);
+		assert_int_equal(visibility_compare(&seen, &wanted).differing, 0);
+		visibility_finish(&seen);
+		visibility_finish(&wanted);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(test_it_is_one_of_the_two_to_the_bit),
 		rig_test(test_a_radius_that_wavers_does_not_flicker),
 		rig_test(test_what_is_not_drawn_takes_no_memory_for_long),
+		rig_test(test_it_is_the_default_without_options_of_others),
 		rig_test(test_each_light_has_its_own),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

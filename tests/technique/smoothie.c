@@ -90,10 +90,10 @@ static struct visibility_change change_between(const struct gallery *gallery, st
 static void two_passes_and_one_agree(void **state)
 {
 	static const struct sm_shadow_options cases[] = {
-		{.map_size = 256},
-		{.map_size = 1024},
-		{.map_size = 512, .falloff = SM_FALLOFF_SINUSOID},
-		{.map_size = 512, .width = 0.1f},
+		{.technique = "smoothie", .map_size = 256},
+		{.technique = "smoothie", .map_size = 1024},
+		{.technique = "smoothie", .map_size = 512, .falloff = SM_FALLOFF_SINUSOID},
+		{.technique = "smoothie", .map_size = 512, .width = 0.1f},
 	};
 	for (size_t i = 0; i < COUNT(cases) * COUNT(gallery_lights) * 2; i++) {
 		struct gallery gallery;
@@ -130,7 +130,7 @@ static void a_point_light_gives_a_filtered_map(void **state)
 static void ground_shows_the_same_edges_whether_or_not_it_casts(void **state)
 {
 	struct rig *rig = *state;
-	static const struct sm_shadow_options options = {.map_size = 512};
+	static const struct sm_shadow_options options = {.technique = "smoothie", .map_size = 512};
 	for (size_t i = 0; i < COUNT(gallery_lights); i++) {
 		struct visibility seen[2];
 		for (int casts = 0; casts < 2; casts++) {
@@ -150,7 +150,7 @@ static void ground_shows_the_same_edges_whether_or_not_it_casts(void **state)
 static void mirrored_transforms_give_the_mirrored_picture(void **state)
 {
 	struct rig *rig = *state;
-	static const struct sm_shadow_options options = {.map_size = 512};
+	static const struct sm_shadow_options options = {.technique = "smoothie", .map_size = 512};
 	for (size_t i = 0; i < COUNT(gallery_lights); i++) {
 		struct visibility seen[2];
 		for (int mirror = 0; mirror < 2; mirror++) {
@@ -253,7 +253,8 @@ static void a_given_width_is_that_share_of_the_screen(void **state)
 	static const double heights[] = {0.4, 1, 2, 3};
 	for (size_t i = 0; i < COUNT(widths) * COUNT(heights); i++) {
 		double t = widths[i / COUNT(heights)], height = heights[i % COUNT(heights)];
-		struct sm_shadow_options options = {.map_size = STRIP, .width = (float)t};
+		struct sm_shadow_options options = {
+			.technique = "smoothie", .map_size = STRIP, .width = (float)t};
 		double share = height / LIGHT_HEIGHT; /* 1 - b/r */
 		/* The screen ends at its half, where the edge is in the middle. */
 		double expected = fmin(t * share, 0.5) * STRIP;
@@ -271,7 +272,8 @@ static void a_given_width_is_that_share_of_the_screen(void **state)
 static void the_default_width_is_proportional_to_the_radius(void **state)
 {
 	static const double heights[] = {0.5, 1, 2};
-	static const struct sm_shadow_options options = {.map_size = STRIP};
+	static const struct sm_shadow_options options = {
+		.technique = "smoothie", .map_size = STRIP};
 	for (size_t h = 0; h < COUNT(heights); h++) {
 		double largest = half_plane_width(*state, &options, 0.8, heights[h]);
 		assert_true(largest > 5);
@@ -285,7 +287,8 @@ static void the_default_width_is_proportional_to_the_radius(void **state)
 /* Widths in the receiver: R (r - b) / b is the outer half of the true penumbra. */
 static void the_default_width_follows_from_similar_triangles(void **state)
 {
-	static const struct sm_shadow_options options = {.map_size = STRIP};
+	static const struct sm_shadow_options options = {
+		.technique = "smoothie", .map_size = STRIP};
 	const double radius = 0.8, screen = 2 * light_slope() * LIGHT_HEIGHT;
 	double share = 0;
 	for (double height = 0.5; height <= 2; height += 0.5) {
@@ -305,7 +308,8 @@ static void the_sinusoid_is_that_of_the_line(void **state)
 {
 	struct rig *rig = *state;
 	struct visibility line, sinusoid;
-	struct sm_shadow_options options = {.map_size = STRIP, .width = 0.4f};
+	struct sm_shadow_options options = {
+		.technique = "smoothie", .map_size = STRIP, .width = 0.4f};
 	struct sm_camera camera = camera_at_light(1);
 	add_lamp_and_ground(rig->scene, 0.1);
 	add_half_plane(rig->scene, 2);
@@ -342,7 +346,9 @@ static void penumbrae_are_sharp_at_contact_and_grow_with_the_distance(void **sta
 	parts_add_object(rig->scene,
 		parts_add_mesh(rig->scene, positions, COUNT(positions), indices, COUNT(indices)),
 		PART_CASTS, &(struct pose){.scale = {1, 1, 1}});
-	rig_set_shadows(rig, &(struct sm_shadow_options){.map_size = STRIP, .width = (float)t});
+	rig_set_shadows(
+		rig, &(struct sm_shadow_options){
+			     .technique = "smoothie", .map_size = STRIP, .width = (float)t});
 	visibility_draw(&seen, rig, rig->scene, &camera, STRIP, STRIP);
 	double last = 0;
 	uint32_t rows = 0;
@@ -401,7 +407,7 @@ static void directional_penumbrae_depend_on_the_height_alone(void **state)
 		&(struct sm_light_desc){
 			.type = SM_LIGHT_DIRECTIONAL, .position = {0, 10, 0}, .radius = 5});
 	struct visibility seen;
-	rig_set_shadows(rig, &(struct sm_shadow_options){.map_size = ROW});
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "smoothie", .map_size = ROW});
 	visibility_draw(&seen, rig, rig->scene, &camera, ROW, 1);
 	/* Of a unit of height: a texel of the map or of the picture is .01 or more. */
 	double unit = width_right_of(&seen, boards[4].x) / boards[4].height;
