@@ -241,6 +241,15 @@ enum sm_precision {
 	SM_PRECISION_FIXED12,
 };
 
+/** For which pixels of a picture the technique finds the light's visibility. */
+enum sm_sampling {
+	SM_SAMPLING_DEFAULT, /**< whichever costs less, for each light and frame */
+	SM_SAMPLING_DENSE,   /**< each */
+	/** One of four by four, and those between them where a surface's edge is, or a penumbra too
+	 *  narrow for that; else it is interpolated. */
+	SM_SAMPLING_SPARSE,
+};
+
 /** Pixels of the picture and texels of the map a side, at most, in half and fixed12: what they
  *  compute stays within 32 bits. */
 #define SM_EXACT_SIZE_MAX 2047
@@ -248,8 +257,9 @@ enum sm_precision {
 /** How shadows are made. Zero in a field means the default. A field that the technique does not
  *  use must stay zero: setting it is an error. */
 struct sm_shadow_options {
-	/** A name of sm_technique_name(). NULL: the first that uses every field that is not zero, of
-	 *  width, falloff, passes and precision: "auto" if all are, else "smoothie". */
+	/** A name of sm_technique_name(). NULL: the first that uses every field that is not zero,
+	 * of width, falloff, passes, precision and sampling: "auto" if all but the last are, else
+	 *  "smoothie". */
 	const char *technique;
 	uint32_t map_size; /**< texels a side of the shadow map, 1 to the driver's limit; up to 2
 				show no shadow, since border texels stay clear;
@@ -265,6 +275,7 @@ struct sm_shadow_options {
 	/** Default float. half and fixed12: smoothie alone, always in two passes; map and picture
 	 *  have at most SM_EXACT_SIZE_MAX texels a side. */
 	enum sm_precision precision;
+	enum sm_sampling sampling; /**< gather and auto: default whichever costs less */
 };
 
 SM_API bool sm_renderer_set_shadows(struct sm_renderer *renderer,
@@ -331,6 +342,7 @@ struct sm_frame_stats {
 	uint32_t draw_calls;
 	uint32_t lights;           /**< drawn with shadows */
 	uint32_t hard_lights;      /**< of these: by "auto", as "hard" */
+	uint32_t sparse_lights;    /**< of these: with SM_SAMPLING_SPARSE */
 	uint64_t triangles;        /**< submitted, all passes */
 	uint64_t silhouette_edges; /**< all lights */
 	uint64_t fin_vertices;

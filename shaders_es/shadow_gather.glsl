@@ -21,6 +21,13 @@ float cross_of(vec2 a, vec2 b)
 	return a.x * b.y - a.y * b.x;
 }
 
+#ifdef POINTS
+// A penumbra at least this many times as wide, from its middle, as points are apart shows in them.
+const float WIDTH_SHOWN = 1.25;
+// Whether a penumbra near the point does not.
+bool narrow_penumbra = false;
+#endif
+
 // The disc of a spot faces the receiver, whose light comes in along (e, 1): seen from there what is
 // beside it by v on the screen is beside it by E v = v - k e (e v), and as much farther before it as
 // it is before a plane with the slope `tilt` through the receiver.
@@ -30,6 +37,7 @@ struct receiver {
 	float noise; // of depths on that plane
 	vec2 e, tilt;
 	float k, shrink; // shrink: determinant of E
+	float spacing;   // to the next pixel
 };
 
 receiver receiver_at(vec3 s)
@@ -39,7 +47,8 @@ receiver receiver_at(vec3 s)
 	vec2 slope = receiver_slope(s);
 	float noise = DEPTH_STEP + snap * (abs(slope.x) + abs(slope.y));
 	vec2 tilt = e * (disc_facing * (pole - s.z) / square);
-	return receiver(s, slope, noise, e, tilt, 1.0 / (square + root), 1.0 / root);
+	float spacing = max(length(dFdx(s.xy)), length(dFdy(s.xy)));
+	return receiver(s, slope, noise, e, tilt, 1.0 / (square + root), 1.0 / root, spacing);
 }
 
 vec2 faced(receiver r, vec2 v)
@@ -204,6 +213,22 @@ bool leads_away(vec2 v, float before, vec2 along, float most)
 	return before > 0.0 && dot(v, along) > 0.0 && dot(v, v) > most * before * before;
 }
 
+#ifdef POINTS
+// Whether the edge has a penumbra near the receiver, or between it and the next points, that does not
+// show in them.
+bool is_narrow(edge edge, receiver r)
+{
+	vec2 along = edge.b - edge.a;
+	// Where the edge is nearest; of no length, at its end.
+	float t = clamp(-dot(edge.a, along) / max(dot(along, along), 1e-30), 0.0, 1.0);
+	vec2 nearest = edge.a + t * along;
+	float width = disc_scale * mix(edge.before_a, edge.before_b, t);
+	float reach = width + 0.75 * r.spacing;
+	return width > 0.0 && width < r.spacing * WIDTH_SHOWN &&
+		dot(nearest, nearest) < reach * reach;
+}
+#endif
+
 // Walks along the tile's chains. An edge between the origin and the receiver is one that a sheet
 // starts or ends at.
 sums walk(receiver r, origin from, int first, int end)
@@ -242,6 +267,9 @@ sums walk(receiver r, origin from, int first, int end)
 			turn = (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
 			sum.winding += depth > 0.0 ? turn : 0;
 			sum.own += depth <= 0.0 && depth >= -from.own_depth * past ? turn : 0;
+#ifdef POINTS
+			narrow_penumbra = narrow_penumbra || is_narrow(edge, r);
+#endif
 			vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
 			hit = max(edge.before_a, edge.before_b) > 0.0 &&
 				edge.side * edge.side < most * dot(along, along) &&
@@ -254,9 +282,13 @@ sums walk(receiver r, origin from, int first, int end)
 	return sum;
 }
 
-float shadow_visibility(vec3 p)
+float gathered_visibility(vec3 p)
 {
 	receiver r = receiver_at(on_screen(p));
+#ifdef POINTS
+	// Farther apart, points may miss edges in tiles between theirs, which lists reach beyond.
+	narrow_penumbra = r.spacing * tile_count > 2.0;
+#endif
 	vec2 at = floor(r.s.xy * tile_count);
 	bool inside = all(equal(at, clamp(at, vec2(0.0), vec2(tile_count - 1.0))));
 	vec2 tile_at = inside ? at : vec2(0.0);
@@ -277,3 +309,10 @@ float shadow_visibility(vec3 p)
 	}
 	return 1.0 - clamp(covered, 0.0, 1.0);
 }
+
+#ifndef CELLS
+float shadow_visibility(vec3 p)
+{
+	return gathered_visibility(p);
+}
+#endif

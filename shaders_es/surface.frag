@@ -16,7 +16,11 @@ uniform float light_reach;   // spot: squared distance of the target; else 1
 uniform vec2 light_cone;     // share inside = x cosine to the axis + y, clamped; always 1: (0, 1)
 #endif
 
+#ifdef POINTS
+layout(location = 0) out uvec2 point; // see sparse_cells.frag
+#else
 layout(location = 0) out vec4 color;
+#endif
 
 // Squares of lengths below this (in scene units) count as this, so that no quotient is infinite:
 // the smallest normal float is 1.2e-38.
@@ -29,7 +33,19 @@ vec3 path_to_light()
 }
 #endif
 
-#ifdef VISIBILITY
+#ifdef POINTS
+void main()
+{
+	float v = 1.0;
+	bool wide = true;
+#ifdef SHADOWED
+	v = clamp(shadow_visibility(surface_position), 0.0, 1.0);
+	wide = !narrow_penumbra;
+#endif
+	point = uvec2(floatBitsToUint(gl_FragCoord.z),
+		uint(v * 65535.0 + 0.5) | (wide ? 0x10000u : 0u));
+}
+#elif defined(VISIBILITY)
 #ifdef LIT
 // The triangle's own normal, since visibility is that of the geometry, not of how it is shaded; on
 // the side that is seen, as the interpolated one tells.

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/array.h"
 #include "scene/camera.h"
-#include "surface_pass.h"
+#include "sparse_pass.h"
+#include <string.h>
 
 static float encode_srgb(float c)
 {
@@ -36,6 +37,30 @@ static void set_pass_state(struct gl *gl, bool first)
 	}
 }
 
+static void choose_light(struct surface_pass *pass, uint32_t index, struct shadowed_light *light)
+{
+	pass->light = &pass->scene->lights[index].desc;
+	pass->frame = &light->frame;
+	pass->shadow = light->shadow;
+	pass->cells = light->sparse ? &light->cells : NULL;
+}
+
+/* What is known of a light's visibility before its surfaces are drawn. */
+static bool draw_sparsely(const struct surface_pass *view, uint32_t index,
+	struct shadowed_light *light, const struct technique_view *seen, struct sm_error *error)
+{
+	struct sm_renderer *renderer = view->renderer;
+	const struct technique *technique = renderer->shadows.technique;
+	struct surface_pass pass = *view;
+	light->sparse = technique->is_sparse != NULL &&
+			technique->is_sparse(light->shadow, view->scene, &light->frame, seen);
+	if (!light->sparse)
+		return true;
+	renderer->gpu.stats.sparse_lights++;
+	choose_light(&pass, index, light);
+	return sparse_pass_draw(&pass, error);
+}
+
 /* Shadow maps of lights first .. last - 1, into renderer->lights. */
 static bool draw_shadows(
 	const struct surface_pass *pass, uint32_t first, uint32_t last, struct sm_error *error)
@@ -45,9 +70,12 @@ static bool draw_shadows(
 		.width = pass->width,
 		.height = pass->height,
 		.visibility = pass->flags & FLAG_VISIBILITY};
+	size_t known = renderer->light_capacity;
 	if (!array_reserve((void **)&renderer->lights, &renderer->light_capacity, last - first,
 		    sizeof(*renderer->lights)))
 		return error_no_memory(error);
+	memset(renderer->lights + known, 0,
+		(renderer->light_capacity - known) * sizeof(*renderer->lights));
 	for (uint32_t i = 0; i < last - first; i++) {
 		struct shadowed_light *light = &renderer->lights[i];
 		(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
@@ -57,6 +85,8 @@ static bool draw_shadows(
 		if (light->shadow == NULL)
 			return false;
 		renderer->gpu.stats.lights++;
+		if (!draw_sparsely(pass, first + i, light, &view, error))
+			return false;
 	}
 	return true;
 }
@@ -84,9 +114,7 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 	if (first == last)
 		return surface_pass_draw(pass, error);
 	for (uint32_t i = first; i < last; i++) {
-		pass->light = &pass->scene->lights[i].desc;
-		pass->frame = &renderer->lights[i - first].frame;
-		pass->shadow = renderer->lights[i - first].shadow;
+		choose_light(pass, i, &renderer->lights[i - first]);
 		if (!surface_pass_draw(pass, error))
 			return false;
 		pass->first = false;
@@ -184,6 +212,7 @@ bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 		.width = view->width,
 		.height = view->height};
 	bool drawn = draw_view(&pass, view, error);
+	sparse_pass_end_frame(renderer);
 	/* A failure may have been anywhere. */
 	gpu_restore_state(&renderer->gpu);
 	gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);

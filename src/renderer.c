@@ -2,6 +2,7 @@
 #include "renderer.h"
 #include "base/log.h"
 #include "gles/probe.h"
+#include "sparse_pass.h"
 #include <stdlib.h>
 
 struct sm_renderer *sm_renderer_create(sm_get_proc get_proc, struct sm_error *error)
@@ -32,6 +33,7 @@ void sm_renderer_destroy(struct sm_renderer *renderer)
 		return;
 	shadow_set_finish(&renderer->shadows, &renderer->gpu);
 	picture_finish(&renderer->accumulator, &renderer->gpu.gl);
+	sparse_pass_finish(renderer);
 	gpu_finish(&renderer->gpu);
 	local_scene_finish(&renderer->local);
 	draw_order_finish(&renderer->order);
@@ -54,6 +56,7 @@ bool sm_renderer_set_shadows(struct sm_renderer *renderer, const struct sm_shado
 	if (!shadow_set_init(&set, options, &renderer->gpu.caps, error))
 		return false;
 	shadow_set_finish(&renderer->shadows, &renderer->gpu);
+	sparse_pass_finish(renderer);
 	renderer->shadows = set;
 	return true;
 }

@@ -10,7 +10,11 @@
 /** A light of the frame. */
 struct shadowed_light {
 	struct light_frame frame;
-	const void *shadow; /* state of the technique, in the shadow set */
+	void *shadow;  /* state of the technique, in the shadow set */
+	bool sparse;   /* whether its visibility is first drawn at points of the view */
+	uint32_t idle; /* frames in which it was not */
+	/* Of these (sparse_pass.h); made when there are some. */
+	struct picture cells;
 };
 
 struct sm_renderer {
@@ -19,6 +23,7 @@ struct sm_renderer {
 	/* Where several lights are added up when the caller's framebuffer cannot do that in linear
 	 * light: sRGB-encoded. */
 	struct picture accumulator;
+	struct picture points; /* of one light after the other; likewise */
 	/* Working memory, kept so that a frame like the last one allocates nothing. */
 	struct local_scene local;
 	struct draw_order order;

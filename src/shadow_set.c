@@ -15,7 +15,8 @@ static unsigned int options_set(const struct sm_shadow_options *options)
 	return (options->width != 0.0f ? OPTION_WIDTH : 0) |
 	       (options->falloff != SM_FALLOFF_DEFAULT ? OPTION_FALLOFF : 0) |
 	       (options->passes != 0 ? OPTION_PASSES : 0) |
-	       (options->precision > SM_PRECISION_FLOAT ? OPTION_PRECISION : 0);
+	       (options->precision > SM_PRECISION_FLOAT ? OPTION_PRECISION : 0) |
+	       (options->sampling != SM_SAMPLING_DEFAULT ? OPTION_SAMPLING : 0);
 }
 
 static bool check_used(const struct sm_shadow_options *options, const struct technique *technique,
@@ -29,6 +30,7 @@ static bool check_used(const struct sm_shadow_options *options, const struct tec
 		{"falloff", OPTION_FALLOFF},
 		{"passes", OPTION_PASSES},
 		{"precision", OPTION_PRECISION},
+		{"sampling", OPTION_SAMPLING},
 	};
 	unsigned int unused = options_set(options) & ~technique->options;
 	for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); i++)
@@ -81,6 +83,9 @@ static bool check_range(
 	if (options->passes > 2)
 		return error_set(
 			error, SM_ERROR_INPUT, "%u smoothie passes; 1 or 2", options->passes);
+	if (options->sampling > SM_SAMPLING_SPARSE)
+		return error_set(error, SM_ERROR_INPUT, "a sampling of number %d; the last is %d",
+			(int)options->sampling, SM_SAMPLING_SPARSE);
 	return true;
 }
 
@@ -103,13 +108,14 @@ static bool check_precision(const struct sm_shadow_options *options, struct sm_e
 	return true;
 }
 
-/* The first that uses all that is set; "smoothie" uses everything. */
+/* The first that uses all that is set, or else the first. */
 static const struct technique *default_technique(const struct sm_shadow_options *options)
 {
-	size_t i = 0;
-	while (options_set(options) & ~technique_at(i)->options)
-		i++;
-	return technique_at(i);
+	const struct technique *technique;
+	for (size_t i = 0; (technique = technique_at(i)) != NULL; i++)
+		if (!(options_set(options) & ~technique->options))
+			return technique;
+	return technique_at(0);
 }
 
 static const struct technique *find_technique(

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "surface_pass.h"
 #include "base/array.h"
+#include "sparse_pass.h"
 #include "tiles.h"
 #include <float.h>
 #include <string.h>
@@ -110,6 +111,8 @@ static bool use_program(struct surface_pass *pass, uint64_t flags, struct sm_err
 	if (flags & FLAG_SHADOWED)
 		pass->renderer->shadows.technique->bind(
 			pass->shadow, gpu, pass->frame, pass->program);
+	if (flags & FLAG_CELLS)
+		sparse_pass_bind(pass, pass->program);
 	return true;
 }
 
@@ -256,6 +259,38 @@ static bool cut_to_tiles(
 	return true;
 }
 
+/* Draws the tiles, or else the clusters, that have this need. */
+static bool draw_part(struct surface_pass *pass, const struct object *object,
+	const struct tiles *tiles, enum need need, uint64_t flags, struct sm_error *error)
+{
+	const struct gpu_mesh *mesh = &pass->renderer->gpu.scene.meshes[object->mesh];
+	if (!use_program(pass, flags, error))
+		return false;
+	set_object(pass, object, pass->program);
+	if (tiles != NULL)
+		draw_tiles(pass, mesh, tiles, need);
+	else
+		draw_clusters(pass, mesh, need);
+	return true;
+}
+
+/* What cells know is drawn first, and the rest where that has left it out: drivers that pass over
+ * hidden pixels sooner than over branches draw that sooner. A further light, which is added where
+ * the depth is the same, cannot tell the two apart. */
+static bool draw_need(struct surface_pass *pass, const struct object *object,
+	const struct tiles *tiles, enum need need, uint64_t flags, struct sm_error *error)
+{
+	const struct technique *technique = pass->renderer->shadows.technique;
+	uint64_t needed = flags_of(pass, flags, need);
+	if (need != NEED_TECHNIQUE || pass->cells == NULL)
+		return draw_part(pass, object, tiles, need, needed, error);
+	if (!pass->first)
+		return draw_part(pass, object, tiles, need, needed | FLAG_CELLS, error);
+	uint64_t known = (needed & ~technique->surface_flags(pass->shadow)) | FLAG_CELLS;
+	return draw_part(pass, object, tiles, need, known, error) &&
+	       draw_part(pass, object, tiles, need, needed, error);
+}
+
 /* Draws an object that a shadow may fall on, each part with no more than it needs: that is the same
  * there and costs less. */
 static bool draw_in_parts(struct surface_pass *pass, const struct object *object, uint64_t flags,
@@ -272,13 +307,8 @@ static bool draw_in_parts(struct surface_pass *pass, const struct object *object
 	for (enum need need = least; need < NEED_COUNT; need++) {
 		if (!tiled && memchr(renderer->needs, need, mesh->cluster_count) == NULL)
 			continue;
-		if (!use_program(pass, flags_of(pass, flags, need), error))
+		if (!draw_need(pass, object, tiled ? &tiles : NULL, need, flags, error))
 			return false;
-		set_object(pass, object, pass->program);
-		if (tiled)
-			draw_tiles(pass, mesh, &tiles, need);
-		else
-			draw_clusters(pass, mesh, need);
 	}
 	return true;
 }
@@ -298,6 +328,8 @@ static bool draw_object(
 	uint64_t flags = object_flags(pass, object);
 	if (flags & FLAG_SHADOWED && has_parts(pass->renderer))
 		return draw_in_parts(pass, object, flags, error);
+	if (flags & FLAG_SHADOWED && pass->cells != NULL)
+		flags |= FLAG_CELLS;
 	if (!use_program(pass, flags, error))
 		return false;
 	set_object(pass, object, pass->program);
@@ -328,7 +360,7 @@ bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)
 	bool drawn = true;
 	map_needs(pass);
 	pass->program = NULL;
-	gl_push_group(gl, "surfaces");
+	gl_push_group(gl, pass->flags & FLAG_POINTS ? "points" : "surfaces");
 	for (size_t i = 0; i < order->count && drawn; i++)
 		drawn = draw_object(pass, order->items[i].object, error);
 	gl_pop_group(gl);

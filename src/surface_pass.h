@@ -15,6 +15,7 @@ struct surface_pass {
 	const struct sm_light_desc *light; /* NULL: ambient light alone */
 	const struct light_frame *frame;   /* of the light */
 	const void *shadow;                /* state of the technique, for the light */
+	struct picture *cells;             /* of the sparse picture; NULL: there is none */
 	bool first;
 	uint64_t flags;                /* for all surfaces: VISIBILITY, ENCODE_SRGB */
 	const struct program *program; /* in use; of the pass itself */

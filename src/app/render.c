@@ -82,6 +82,7 @@ static bool read_flag(
 	case FLAG_SAMPLES:
 	case FLAG_TECHNIQUE:
 	case FLAG_PRECISION:
+	case FLAG_SAMPLING:
 	case FLAG_MAP:
 	case FLAG_SET:
 		return scene_options_flag(&options->scene, &render_command, id, value, error);
@@ -321,6 +322,7 @@ static void print_stats(const struct render *render, FILE *file)
 	facts_format(&facts, "draw calls", "%" PRIu32, stats.draw_calls);
 	facts_format(&facts, "lights", "%" PRIu32, stats.lights);
 	facts_format(&facts, "lights drawn hard by auto", "%" PRIu32, stats.hard_lights);
+	facts_format(&facts, "lights drawn sparsely", "%" PRIu32, stats.sparse_lights);
 	facts_format(&facts, "triangles", "%" PRIu64, stats.triangles);
 	facts_format(&facts, "silhouette edges", "%" PRIu64, stats.silhouette_edges);
 	facts_format(&facts, "fin vertices", "%" PRIu64, stats.fin_vertices);

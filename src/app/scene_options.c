@@ -28,6 +28,13 @@ bool scene_options_precision(const char *name, enum sm_precision *precision)
 	return false;
 }
 
+static bool read_sampling(const char *name, enum sm_sampling *sampling)
+{
+	bool dense = strcmp(name, "dense") == 0;
+	*sampling = dense ? SM_SAMPLING_DENSE : SM_SAMPLING_SPARSE;
+	return dense || strcmp(name, "sparse") == 0;
+}
+
 bool scene_options_flag(struct scene_options *options, const struct command *command, int id,
 	const char *value, struct sm_error *error)
 {
@@ -47,6 +54,10 @@ bool scene_options_flag(struct scene_options *options, const struct command *com
 		return scene_options_precision(value, &options->precision) ||
 		       options_error(error, command,
 			       "--precision %.40s: float, half or fixed12 is wanted", value);
+	case FLAG_SAMPLING:
+		return read_sampling(value, &options->sampling) ||
+		       options_error(error, command, "--sampling %.40s: dense or sparse is wanted",
+			       value);
 	case FLAG_SET:
 		options->settings[options->setting_count++] = value;
 		break;
@@ -87,6 +98,8 @@ bool scene_options_load(
 		stage->shadow.technique = options->technique;
 	if (options->precision != SM_PRECISION_DEFAULT)
 		stage->shadow.precision = options->precision;
+	if (options->sampling != SM_SAMPLING_DEFAULT)
+		stage->shadow.sampling = options->sampling;
 	if (options->map_size > 0)
 		stage->shadow.map_size = options->map_size;
 	return true;

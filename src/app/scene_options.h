@@ -11,6 +11,8 @@
 		{FLAG_TECHNIQUE, "technique", "NAME", "how shadows are made"},            \
 		{FLAG_PRECISION, "precision", "NAME",                                     \
 			"arithmetic of shadows: float, half or fixed12"},                 \
+		{FLAG_SAMPLING, "sampling", "NAME",                                       \
+			"pixels that gather finds shadows for: dense or sparse"},         \
 		{FLAG_MAP, "map", "N", "texels a side of the shadow map"},                \
 	{                                                                                 \
 		FLAG_SET, "set", "SECTION.KEY=VALUE", "change the scene; may be repeated" \
@@ -20,6 +22,7 @@ enum {
 	FLAG_SAMPLES = FLAG_OWN,
 	FLAG_TECHNIQUE,
 	FLAG_PRECISION,
+	FLAG_SAMPLING,
 	FLAG_MAP,
 	FLAG_SET,
 	FLAG_OWN_OF_SCENES, /**< these subcommands count on from here */
@@ -31,6 +34,7 @@ struct scene_options {
 	uint32_t samples, map_size;  /**< 0: not given */
 	const char *technique;       /**< NULL: not given */
 	enum sm_precision precision; /**< default: not given */
+	enum sm_sampling sampling;   /**< likewise */
 	const char **settings;       /**< owned array */
 	size_t setting_count;
 };

@@ -123,6 +123,7 @@ static bool read_flag(
 	case FLAG_SAMPLES:
 	case FLAG_TECHNIQUE:
 	case FLAG_PRECISION:
+	case FLAG_SAMPLING:
 	case FLAG_MAP:
 	case FLAG_SET:
 		return scene_options_flag(&options->scene, &show_command, id, value, error);

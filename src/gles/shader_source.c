@@ -45,6 +45,8 @@ static const struct {
 	FLAG(SEEN),
 	FLAG(EDGES),
 	FLAG(PEEL),
+	FLAG(POINTS),
+	FLAG(CELLS),
 #undef FLAG
 };
 
@@ -146,7 +148,8 @@ static const struct {
 			.name = "surface",
 			.flags = FLAG_LIT | FLAG_SHADOWED | SHADOW_FLAGS | FLAG_SEPARATE_DEPTH |
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
-				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT,
+				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
+				 FLAG_POINTS | FLAG_CELLS,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -156,8 +159,8 @@ static const struct {
 							FLAG_SMOOTHIE | FLAG_VSM | FLAG_DEPTH_HALF},
 						{"common_plain_depth.glsl",
 							TAP_FLAGS | COMPARE_FLAGS},
-						{"common_depth_step.glsl", FLAG_SHADOWED},
-						{"shadow_receiver.glsl", FLAG_SHADOWED},
+						{"common_depth_step.glsl", SHADOW_FLAGS},
+						{"shadow_receiver.glsl", SHADOW_FLAGS},
 						{"shadow_taps.glsl", TAP_FLAGS | COMPARE_FLAGS},
 						{"shadow_compare.glsl", FLAG_HARD | FLAG_PCSS},
 						{"shadow_hard.glsl", FLAG_HARD},
@@ -171,11 +174,18 @@ static const struct {
 						{"gather_sheet.glsl", FLAG_EDGES},
 						{"gather_disc.glsl", FLAG_EDGES},
 						{"shadow_gather.glsl", FLAG_EDGES},
+						{"sparse_cell.glsl", FLAG_CELLS},
+						{"sparse_visibility.glsl", FLAG_CELLS},
 						{"exact_seen.glsl", FLAG_SEEN},
 						{"shadow_seen.glsl", FLAG_SEEN},
 						{"surface.frag"},
 					},
 				},
+		},
+	[PROGRAM_CELLS] =
+		{
+			.name = "cells",
+			.parts = {{{"copy.vert"}}, {{"sparse_cell.glsl"}, {"sparse_cells.frag"}}},
 		},
 	[PROGRAM_COPY] =
 		{
@@ -278,11 +288,16 @@ static bool reads_plainly(uint64_t flags)
 
 static bool surface_is_valid(uint64_t flags)
 {
-	return count_bits(flags & SHADOW_FLAGS) == (flags & FLAG_SHADOWED ? 1 : 0) &&
+	/* Cells are a way by themselves, or come before edges. */
+	uint64_t kinds = flags & FLAG_EDGES ? SHADOW_FLAGS : SHADOW_FLAGS | FLAG_CELLS;
+	return count_bits(flags & kinds) == (flags & FLAG_SHADOWED ? 1 : 0) &&
+	       implies(flags, FLAG_CELLS, FLAG_SHADOWED) &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
 	       implies(flags, FLAG_ALPHA_DEPTH, FLAG_SEPARATE_DEPTH) &&
 	       implies(flags, FLAG_SPLIT, FLAG_VSM) &&
+	       implies(flags, FLAG_POINTS, FLAG_VISIBILITY) &&
+	       excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
 	       excludes(flags, FLAG_GATHER, FLAG_FOUR_FETCHES) &&

@@ -19,6 +19,7 @@ enum program_kind {
 	PROGRAM_BLUR,
 	PROGRAM_TWO_SIDED_FIN,
 	PROGRAM_SURFACE,
+	PROGRAM_CELLS,
 	PROGRAM_COPY,
 	PROGRAM_SCREEN,
 	PROGRAM_PROBE_DRAW,
@@ -65,9 +66,11 @@ enum program_kind {
 #define FLAG_SEEN (UINT64_C(1) << 30)
 #define FLAG_EDGES (UINT64_C(1) << 31)
 #define FLAG_PEEL (UINT64_C(1) << 32)
+#define FLAG_POINTS (UINT64_C(1) << 33)
+#define FLAG_CELLS (UINT64_C(1) << 34)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 33)
+#define FLAG_END (UINT64_C(1) << 35)
 
 struct program_key {
 	enum program_kind kind;

@@ -44,6 +44,7 @@ struct plan_shadow {
 	enum sm_falloff falloff;
 	uint32_t samples, passes;
 	enum sm_precision precision;
+	enum sm_sampling sampling;
 };
 
 struct plan_output {

@@ -97,6 +97,15 @@ static const struct screen_grid *auto_soft_grid(const void *state)
 					    : NULL;
 }
 
+static bool auto_is_sparse(void *state, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct technique_view *view)
+{
+	struct choice *choice = state;
+	const struct technique *technique = picks[choice->pick];
+	return technique->is_sparse != NULL &&
+	       technique->is_sparse(choice->states[choice->pick], scene, frame, view);
+}
+
 static size_t auto_geometry_bytes(const void *state)
 {
 	const struct choice *choice = state;
@@ -118,6 +127,7 @@ const struct technique technique_auto = {
 	.name = "auto",
 	.summary = "gather where a penumbra is wider than a texel of the map, else hard: for each "
 		   "light and frame",
+	.options = OPTION_SAMPLING,
 	.state_size = sizeof(struct choice),
 	.init = auto_init,
 	.finish = auto_finish,
@@ -125,6 +135,7 @@ const struct technique technique_auto = {
 	.surface_flags = auto_surface_flags,
 	.soft_grid = auto_soft_grid,
 	.soft_is_all = true,
+	.is_sparse = auto_is_sparse,
 	.fits_screen = true,
 	.geometry_bytes = auto_geometry_bytes,
 	.bind = auto_bind,

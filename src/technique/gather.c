@@ -29,6 +29,8 @@ struct gather {
 	struct screen_grid soft;
 	struct depth_map hard; /* of a light that is a point; made when there is one */
 	bool point;
+	bool sparse; /* in the last frame */
+	enum sm_sampling sampling;
 	uint32_t map_size, subpixel_bits;
 };
 
@@ -62,6 +64,7 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 	gl->GetIntegerv(GL_SUBPIXEL_BITS, &subpixel_bits);
 	gather->subpixel_bits = (uint32_t)subpixel_bits;
 	gather->map_size = options->map_size;
+	gather->sampling = options->sampling;
 	GLsizei size =
 		options->map_size < LAYER_SIZE_MAX ? (GLsizei)options->map_size : LAYER_SIZE_MAX;
 	if (!target_init(
@@ -261,6 +264,16 @@ static const struct screen_grid *gather_soft_grid(const void *state)
 	return gather->point ? NULL : &gather->soft;
 }
 
+static bool gather_is_sparse(void *state, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct technique_view *view)
+{
+	struct gather *gather = state;
+	(void)scene;
+	(void)frame;
+	(void)view;
+	return !gather->point && gather->sampling != SM_SAMPLING_DENSE;
+}
+
 static size_t gather_geometry_bytes(const void *state)
 {
 	const struct gather *gather = state;
@@ -294,6 +307,7 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 const struct technique technique_gather = {
 	.name = "gather",
 	.summary = "the light's disc cut by all silhouette edges before it, for each pixel",
+	.options = OPTION_SAMPLING,
 	.state_size = sizeof(struct gather),
 	.fits_screen = true,
 	.init = gather_init,
@@ -302,6 +316,7 @@ const struct technique technique_gather = {
 	.surface_flags = gather_surface_flags,
 	.soft_grid = gather_soft_grid,
 	.soft_is_all = true,
+	.is_sparse = gather_is_sparse,
 	.geometry_bytes = gather_geometry_bytes,
 	.bind = gather_bind,
 };

@@ -12,6 +12,7 @@ enum technique_option {
 	OPTION_FALLOFF = 1 << 1,
 	OPTION_PASSES = 1 << 2,
 	OPTION_PRECISION = 1 << 3, /* any but float */
+	OPTION_SAMPLING = 1 << 4,
 };
 
 #define SAMPLE_CHOICES_MAX 4
@@ -54,6 +55,10 @@ struct technique {
 	 *  which bind() serves as well; owned by the state. NULL: everywhere. */
 	const struct screen_grid *(*soft_grid)(const void *state);
 	bool soft_is_all; /* elsewhere nothing is darkened at all */
+	/** Chooses, once a frame and light, whether visibility is first to be drawn at points of
+	 *  the view (src/sparse_pass.h). NULL: it is not. */
+	bool (*is_sparse)(void *state, const struct sm_scene *scene,
+		const struct light_frame *frame, const struct technique_view *view);
 	/** How far on the light's screen, NDC, from where it is a surface may be darkened by a
 	 *  caster, beyond the texels of a bilinear look-up. NULL: no farther. */
 	float (*reach)(const void *state, const struct light_frame *frame);

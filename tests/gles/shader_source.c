@@ -149,11 +149,14 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 			       3 * plain +   /* pcss: plain depths, and one of three comparisons */
 			       comparison +  /* maps */
 			       2 * 2 + /* variance maps, filtered or fetched, whole or split */
-			       1;      /* gather */
+			       2 +     /* gather, for each pixel or what cells leave out */
+			       1;      /* cells */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
-	/* What was seen before has no picture of visibility. */
-	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2);
+	/* What was seen before has no picture of visibility; points without light or shadow, or
+	 * with gather. */
+	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 3);
+	assert_int_equal(counts[PROGRAM_CELLS], 1);
 }
 
 static void shadow_functions_come_with_the_flag_of_their_technique(void **state)
@@ -212,6 +215,11 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_BLUR, FLAG_DEPTH_PACKED},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_VSM | FLAG_MAPS},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_EDGES | FLAG_GATHER},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_CELLS},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_CELLS},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_EDGES | FLAG_POINTS},
+		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_LIT | FLAG_SHADOWED | FLAG_EDGES |
+					  FLAG_CELLS | FLAG_POINTS},
 		{PROGRAM_DEPTH_MAP, FLAG_PEEL},
 		{PROGRAM_BLUR, FLAG_RECEIVER_MAP}, /* of what is blurred already */
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},

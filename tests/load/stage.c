@@ -195,6 +195,10 @@ static void shadow_settings_are_passed_on(void **state)
 	assert_int_equal(stage.shadow.falloff, SM_FALLOFF_DEFAULT);
 	assert_int_equal(stage.shadow.passes, 0);
 	assert_int_equal(stage.shadow.precision, SM_PRECISION_DEFAULT);
+	assert_int_equal(stage.shadow.sampling, SM_SAMPLING_DEFAULT);
+	stage_finish(&stage);
+	load(&stage, "builtin:cube", "shadow.sampling=sparse");
+	assert_int_equal(stage.shadow.sampling, SM_SAMPLING_SPARSE);
 	stage_finish(&stage);
 }
 

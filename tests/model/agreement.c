@@ -40,7 +40,7 @@ static const struct look {
 	{"two-sided", {.technique = "smoothie-two-sided"}},
 	{"penumbra-map", {.technique = "penumbra-map"}},
 	{"smooth cones", {.technique = "penumbra-map", .falloff = SM_FALLOFF_SINUSOID}},
-	{"gather", {.technique = "gather"}},
+	{"gather", {.technique = "gather", .sampling = SM_SAMPLING_DENSE}},
 	{"hard", {.technique = "hard"}},
 	{"pcf 4", {.technique = "pcf", .samples = 4}},
 	{"pcf 16", {.technique = "pcf", .samples = 16}},

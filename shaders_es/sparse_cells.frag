@@ -1,0 +1,78 @@
+// Joins points of the sparse picture to cells: each has a point at each corner, and between them one
+// surface, whose visibility is smooth.
+uniform usampler2D point_map;
+uniform vec2 cell_depth; // how far off its plane a cell's surface may be, at window depth d: x + y d
+
+layout(location = 0) out uvec4 packed_cell;
+
+// Second differences of visibility that are still smooth, differences that a penumbra wide enough
+// for the points can have, and those that need no second ones.
+const float MOST_BEND = 0.12;
+const float MOST_RISE = 0.55;
+const float FLAT = 0.02;
+
+struct point {
+	float depth, v;
+	bool wide; // no penumbra that is narrow for the points' spacing is near
+};
+
+point point_at(ivec2 texel)
+{
+	uvec2 p = texelFetch(point_map, clamp(texel, ivec2(0), textureSize(point_map, 0) - 1), 0).xy;
+	return point(uintBitsToFloat(p.x), float(p.y & 0xffffu) / 65535.0, p.y >> 16 != 0u);
+}
+
+// What v bends by between p and q, from the points beyond them on one line.
+float bend_of(point before, point p, point q, point after)
+{
+	return 0.5 * (before.v - p.v - q.v + after.v);
+}
+
+
+// The point itself, and what it changes by over the cell in x and y.
+vec3 plane_through(point p[16])
+{
+	float x = 0.5 * (p[6].depth - p[5].depth + p[10].depth - p[9].depth);
+	float y = 0.5 * (p[9].depth - p[5].depth + p[10].depth - p[6].depth);
+	float middle = 0.25 * (p[5].depth + p[6].depth + p[9].depth + p[10].depth);
+	return vec3(middle - 0.5 * (x + y), x, y);
+}
+
+// How far off the plane a point is.
+float off_plane(point p, vec3 plane, int i)
+{
+	return abs(p.depth - plane.x - plane.y * float((i & 3) - 1) - plane.z * float((i >> 2) - 1));
+}
+
+bool is_smooth(vec4 v, vec2 bend, bool around)
+{
+	vec4 rise = abs(v.ywzw - v.xzxy);
+	float most = max(max(rise.x, rise.y), max(rise.z, rise.w));
+	return around ? most < MOST_RISE && max(abs(bend.x), abs(bend.y)) < MOST_BEND : most < FLAT;
+}
+
+void main()
+{
+	// Of four by four points those in the middle are the cell's corners.
+	point p[16];
+	for (int i = 0; i < 16; i++)
+		p[i] = point_at(ivec2(gl_FragCoord.xy) + ivec2(i & 3, i >> 2) - 1);
+	vec3 plane = plane_through(p);
+	float tolerance = cell_depth.x + cell_depth.y * plane.x;
+	float off_corners = 0.0, off_around = 0.0;
+	for (int i = 0; i < 16; i++) {
+		bool across = (i & 3) % 3 == 0, up = (i >> 2) % 3 == 0;
+		float off = off_plane(p[i], plane, i);
+		off_corners = across || up ? off_corners : max(off_corners, off);
+		off_around = across && up ? off_around : max(off_around, off);
+	}
+	bool whole = off_corners < tolerance && p[5].wide && p[6].wide && p[9].wide && p[10].wide;
+	// The surface goes on at the points beyond, so that they tell how visibility bends.
+	bool around = off_around < 4.0 * tolerance;
+	vec2 bend = 0.5 * vec2(bend_of(p[4], p[5], p[6], p[7]) + bend_of(p[8], p[9], p[10], p[11]),
+		bend_of(p[1], p[5], p[9], p[13]) + bend_of(p[2], p[6], p[10], p[14]));
+	vec4 v = vec4(p[5].v, p[6].v, p[9].v, p[10].v);
+	bool known = whole && is_smooth(v, bend, around);
+	cell found = cell(plane.x, plane.y, plane.z, v, around ? bend : vec2(0.0));
+	packed_cell = known ? pack_cell(found) : CELL_UNKNOWN;
+}

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+#include "sparse_pass.h"
+#include <float.h>
+
+/* How far off its plane a surface may be that counts as one, in what a point's distance to the next
+ * is of the camera's depth. */
+#define PLANE_TOLERANCE 0.5f
+
+/* Frames after which what is not drawn into is given back: a light that wavers does so in less. */
+#define IDLE_FRAMES_MAX 600
+
+/* The view with a point more on each side. */
+static void widen_view(const struct surface_pass *view, uint32_t columns, uint32_t rows, mat4 wide)
+{
+	const float size[2] = {(float)view->width, (float)view->height};
+	const float points[2] = {(float)columns, (float)rows};
+	glm_mat4_copy(view->world_to_clip, wide);
+	for (int axis = 0; axis < 2; axis++) {
+		float scale = size[axis] / (SPARSE_SPACING * points[axis]);
+		float shift = scale + 2.0f / points[axis] - 1.0f;
+		for (int column = 0; column < 4; column++)
+			wide[column][axis] = scale * wide[column][axis] + shift * wide[column][3];
+	}
+}
+
+/* Window depth d at distance w is K - b / w: a pixel aside is 2 / (scale width) w, which as a
+ * difference of depth is (K - d) times 2 / (scale width). */
+static void find_tolerance(const struct surface_pass *view, float tolerance[2])
+{
+	vec4 *m = view->world_to_clip;
+	vec3 x = {m[0][0], m[1][0], m[2][0]}, z = {m[0][2], m[1][2], m[2][2]};
+	vec3 w = {m[0][3], m[1][3], m[2][3]};
+	float square = fmaxf(glm_vec3_norm2(w), FLT_MIN), across = fmaxf(glm_vec3_norm(x), FLT_MIN);
+	float pole = 0.5f + 0.5f * glm_vec3_dot(z, w) / square;
+	float pixel = 2.0f * sqrtf(square) / (across * (float)view->width);
+	float step = PLANE_TOLERANCE * SPARSE_SPACING * pixel;
+	tolerance[0] = pole * step;
+	tolerance[1] = -step;
+}
+
+static bool draw_points(const struct surface_pass *view, struct sm_error *error)
+{
+	static const GLuint nothing[4] = {0, 0, 0, 0}; /* narrow */
+	struct picture *points = &view->renderer->points;
+	struct gl *gl = &view->renderer->gpu.gl;
+	struct surface_pass pass = *view;
+	mat4 wide;
+	pass.width = (view->width + SPARSE_SPACING - 1) / SPARSE_SPACING + 2;
+	pass.height = (view->height + SPARSE_SPACING - 1) / SPARSE_SPACING + 2;
+	pass.flags = FLAG_VISIBILITY | FLAG_POINTS;
+	pass.first = true;
+	pass.multisampled = false;
+	pass.cells = NULL;
+	widen_view(view, pass.width, pass.height, wide);
+	pass.world_to_clip = wide;
+	if (!picture_resize(points, gl, pass.width, pass.height, GL_RG32UI, error))
+		return false;
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_LESS);
+	gl->DepthMask(GL_TRUE);
+	gl->Disable(GL_BLEND);
+	gl->ClearBufferuiv(GL_COLOR, 0, nothing);
+	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
+	return surface_pass_draw(&pass, error);
+}
+
+static bool join_points(
+	const struct surface_pass *view, struct picture *cells, struct sm_error *error)
+{
+	struct gpu *gpu = &view->renderer->gpu;
+	const struct picture *points = &view->renderer->points;
+	float tolerance[2];
+	/* Left by the surfaces. */
+	gpu->gl.Disable(GL_CULL_FACE);
+	if (!picture_resize(cells, &gpu->gl, points->width, points->height, GL_RGBA32UI, error))
+		return false;
+	struct program_key key = {.kind = PROGRAM_CELLS};
+	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
+	if (program == NULL)
+		return false;
+	find_tolerance(view, tolerance);
+	gpu->gl.Uniform2f(program->uniform.cell_depth, tolerance[0], tolerance[1]);
+	gpu_bind_texture(gpu, UNIT_POINTS, points->color);
+	gpu_fill_viewport(gpu, 0);
+	return true;
+}
+
+bool sparse_pass_draw(const struct surface_pass *view, struct sm_error *error)
+{
+	if (!draw_points(view, error))
+		return false;
+	gl_push_group(&view->renderer->gpu.gl, "cells");
+	bool drawn = join_points(view, view->cells, error);
+	gl_pop_group(&view->renderer->gpu.gl);
+	return drawn;
+}
+
+void sparse_pass_bind(const struct surface_pass *pass, const struct program *program)
+{
+	struct gpu *gpu = &pass->renderer->gpu;
+	float tolerance[2];
+	find_tolerance(pass, tolerance);
+	gpu_bind_texture(gpu, UNIT_CELLS, pass->cells->color);
+	gpu->gl.Uniform1f(program->uniform.cell_scale, 1.0f / SPARSE_SPACING);
+	gpu->gl.Uniform2f(program->uniform.cell_depth, tolerance[0], tolerance[1]);
+}
+
+void sparse_pass_end_frame(struct sm_renderer *renderer)
+{
+	bool used = false;
+	for (size_t i = 0; i < renderer->light_capacity; i++) {
+		struct shadowed_light *light = &renderer->lights[i];
+		light->idle = light->sparse ? 0 : light->idle + 1;
+		light->sparse = false;
+		if (light->idle == IDLE_FRAMES_MAX)
+			picture_finish(&light->cells, &renderer->gpu.gl);
+		used = used || light->cells.width > 0;
+	}
+	if (!used)
+		picture_finish(&renderer->points, &renderer->gpu.gl);
+}
+
+void sparse_pass_finish(struct sm_renderer *renderer)
+{
+	picture_finish(&renderer->points, &renderer->gpu.gl);
+	for (size_t i = 0; i < renderer->light_capacity; i++)
+		picture_finish(&renderer->lights[i].cells, &renderer->gpu.gl);
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SPARSE_PASS_H
+#define SPARSE_PASS_H
+
+#include "surface_pass.h"
+
+/** Pixels from one point of a sparse picture of a light's visibility to the next. */
+#define SPARSE_SPACING 4
+
+/**
+ * Draws a light's visibility at a grid of points of the view, and joins them to cells that surfaces
+ * look up: where a cell is of one surface, and the penumbrae there are wide, they need not find it
+ * themselves. view: the light and its cells are set. Leaves another framebuffer bound.
+ */
+bool sparse_pass_draw(const struct surface_pass *view, struct sm_error *error);
+
+/** Sets what surfaces look cells up by; flags of the program: CELLS. */
+void sparse_pass_bind(const struct surface_pass *pass, const struct program *program);
+
+/** After each frame: gives back what no light has drawn into for long. */
+void sparse_pass_end_frame(struct sm_renderer *renderer);
+
+/** Gives back all that was drawn into. */
+void sparse_pass_finish(struct sm_renderer *renderer);
+
+#endif

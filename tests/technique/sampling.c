@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: MIT */
+/* Visibility found for some of the pixels alone, against that found for each. */
+#include "canvas.h"
+#include "parts.h"
+#include "visibility.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#define WIDTH 389
+#define HEIGHT 278
+
+static const struct sm_camera aside = {
+	.eye = {1.2f, 2, 1.8f}, .target = {-0.5f, 0.2f, 0}, .up = {0, 1, 0}, .fov = 40};
+static const struct sm_light_desc lamp = {
+	.position = {4, 5, 0}, .radius = 1, .angle = 60, .color = {1, 1, 1}, .intensity = 1};
+static const struct sm_light_desc sun = {.type = SM_LIGHT_DIRECTIONAL,
+	.position = {-1, 5, 2},
+	.radius = 1,
+	.color = {1, 0.8f, 0.6f},
+	.intensity = 0.5f};
+
+/* Blocks and a sphere above and on a ground. */
+static void fill_scene(struct rig *rig)
+{
+	uint32_t cube = parts_add_cube(rig->scene);
+	for (int i = 0; i < 6; i++)
+		parts_add_object(rig->scene, cube, PART_BOTH,
+			&(struct pose){{0.3f, 0.1f, 0.2f}, 30.0f * (float)i,
+				{0.7f * (float)(i % 3) - 1, 0.1f + 0.4f * (float)(i / 3), 0}});
+	parts_add_object(rig->scene, parts_add_sphere(rig->scene, 16), PART_BOTH,
+		&(struct pose){{0.3f, 0.3f, 0.3f}, 0, {-0.4f, 0.3f, 0.9f}});
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
+}
+
+static void use(struct rig *rig, enum sm_sampling sampling)
+{
+	rig_set_shadows(rig, &(struct sm_shadow_options){
+				     .technique = "gather", .map_size = 512, .sampling = sampling});
+}
+
+static struct visibility draw(
+	struct rig *rig, enum sm_sampling sampling, uint32_t width, uint32_t height)
+{
+	struct visibility seen;
+	use(rig, sampling);
+	visibility_draw(&seen, rig, rig->scene, &aside, width, height);
+	return seen;
+}
+
+static uint32_t sparse_lights(struct rig *rig)
+{
+	struct sm_frame_stats stats;
+	sm_renderer_get_stats(rig->renderer, &stats);
+	return stats.sparse_lights;
+}
+
+static struct visibility_change change_of(struct rig *rig, uint32_t width, uint32_t height)
+{
+	struct visibility dense = draw(rig, SM_SAMPLING_DENSE, width, height);
+	assert_int_equal(sparse_lights(rig), 0);
+	struct visibility sparse = draw(rig, SM_SAMPLING_SPARSE, width, height);
+	assert_int_equal(sparse_lights(rig), 1);
+	struct visibility_change change = visibility_compare(&dense, &sparse);
+	print_message("%ux%u: mean %g, off %g, %u differ\n", width, height, change.mean, change.off,
+		change.differing);
+	visibility_finish(&dense);
+	visibility_finish(&sparse);
+	return change;
+}
+
+static void what_is_between_points_is_as_if_found(void **state)
+{
+	struct rig *rig = *state;
+	static const struct sm_light_desc *const lights[] = {&lamp, &sun};
+	fill_scene(rig);
+	uint32_t light = parts_add_light(rig->scene, &lamp);
+	for (size_t i = 0; i < sizeof(lights) / sizeof(lights[0]); i++) {
+		assert_true(sm_scene_set_light(rig->scene, light, lights[i], NULL));
+		struct visibility_change change = change_of(rig, WIDTH, HEIGHT);
+		/* Some pixels were interpolated. */
+		assert_true(change.differing > 300);
+		assert_true(change.mean < 0.0005 && change.off < 0.003);
+	}
+}
+
+static void pictures_may_be_of_any_size(void **state)
+{
+	struct rig *rig = *state;
+	static const uint32_t sizes[][2] = {{1, 1}, {2, 3}, {5, 4}, {64, 1}, {1, 97}, {31, 43}};
+	fill_scene(rig);
+	parts_add_light(rig->scene, &lamp);
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++)
+		assert_true(change_of(rig, sizes[i][0], sizes[i][1]).mean < 0.005);
+}
+
+static void a_point_has_nothing_between(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_light_desc point = lamp;
+	point.radius = 0;
+	fill_scene(rig);
+	parts_add_light(rig->scene, &point);
+	struct visibility seen = draw(rig, SM_SAMPLING_SPARSE, WIDTH, HEIGHT), hard;
+	assert_int_equal(sparse_lights(rig), 0);
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "hard", .map_size = 512});
+	visibility_draw(&hard, rig, rig->scene, &aside, WIDTH, HEIGHT);
+	assert_int_equal(visibility_compare(&seen, &hard).differing, 0);
+	visibility_finish(&seen);
+	visibility_finish(&hard);
+}
+
+static uint8_t *draw_picture(struct rig *rig, GLenum format, GLsizei samples)
+{
+	struct canvas canvas;
+	struct sm_view view = {
+		.camera = aside, .width = WIDTH, .height = HEIGHT, .visibility_of = SM_NONE};
+	if (samples > 1)
+		canvas_init_multisampled(&canvas, format, WIDTH, HEIGHT, samples);
+	else
+		canvas_init(&canvas, format, WIDTH, HEIGHT);
+	view.framebuffer = canvas.framebuffer;
+	rig_draw(rig, rig->scene, &view);
+	uint8_t *pixels = canvas_read(&canvas);
+	canvas_finish(&canvas);
+	return pixels;
+}
+
+/* A pixel that two passes draw, or none, would be off by far more. */
+static void assert_alike(const uint8_t *a, const uint8_t *b, const char *what)
+{
+	double sum = 0;
+	size_t off = 0;
+	for (size_t i = 0; i < (size_t)4 * WIDTH * HEIGHT; i++) {
+		int apart = abs(a[i] - b[i]);
+		sum += apart;
+		off += apart > 8;
+	}
+	sum /= 4.0 * WIDTH * HEIGHT;
+	print_message("%s: mean %g of 255, %zu off\n", what, sum, off);
+	assert_true(sum < 0.1 && off < 4 * WIDTH * HEIGHT / 1000);
+}
+
+static void several_lights_add_up(void **state)
+{
+	struct rig *rig = *state;
+	static const struct {
+		GLenum format;
+		GLsizei samples;
+		const char *name;
+	} cases[] = {{GL_SRGB8_ALPHA8, 1, "sRGB"}, {GL_RGBA8, 1, "accumulator"},
+		{GL_SRGB8_ALPHA8, 4, "multisampled"}};
+	fill_scene(rig);
+	parts_add_light(rig->scene, &lamp);
+	parts_add_light(rig->scene, &sun);
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		use(rig, SM_SAMPLING_DENSE);
+		uint8_t *dense = draw_picture(rig, cases[i].format, cases[i].samples);
+		use(rig, SM_SAMPLING_SPARSE);
+		uint8_t *sparse = draw_picture(rig, cases[i].format, cases[i].samples);
+		assert_int_equal(sparse_lights(rig), 2);
+		assert_alike(dense, sparse, cases[i].name);
+		free(dense);
+		free(sparse);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		rig_test(what_is_between_points_is_as_if_found),
+		rig_test(pictures_may_be_of_any_size),
+		rig_test(a_point_has_nothing_between),
+		rig_test(several_lights_add_up),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
