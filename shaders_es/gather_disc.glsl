@@ -53,9 +53,9 @@ uvec2 beyond(float angle, float distance)
 	return texelFetch(disc_masks, at, 0).xy;
 }
 
-// Counters of 64 samples, from -8 to 7: a plane for each bit of them.
+// Counters of 64 samples, from -16 to 15: a plane for each bit of them.
 struct counters {
-	uvec2 ones, twos, fours, eights;
+	uvec2 ones, twos, fours, eights, sixteens;
 };
 
 // Adds 1 where the mask has a bit, or with sign = all bits takes 1 away.
@@ -67,7 +67,9 @@ void count(inout counters c, uvec2 mask, uint sign)
 	c.twos ^= carry;
 	carry = (c.fours ^ sign) & mask;
 	c.fours ^= mask;
+	mask = (c.eights ^ sign) & carry;
 	c.eights ^= carry;
+	c.sixteens ^= mask;
 }
 
 // Bits that are set in both words (Warren, Hacker's Delight, 5-1); bitCount() came with 3.1.
@@ -84,11 +86,11 @@ float bits_of(uvec2 v)
 // far as edges border on what is not covered, not on other blockers.
 float covered_share(counters c, float sum)
 {
-	uvec2 some = c.ones | c.twos | c.fours;
-	uvec2 positive = ~c.eights & some;
-	uvec2 several = c.eights | c.twos | c.fours;
-	float total = bits_of(c.ones) + 2.0 * bits_of(c.twos) + 4.0 * bits_of(c.fours) -
-		8.0 * bits_of(c.eights);
+	uvec2 some = c.ones | c.twos | c.fours | c.eights;
+	uvec2 positive = ~c.sixteens & some;
+	uvec2 several = c.sixteens | c.eights | c.twos | c.fours;
+	float total = bits_of(c.ones) + 2.0 * bits_of(c.twos) + 4.0 * bits_of(c.fours) +
+		8.0 * bits_of(c.eights) - 16.0 * bits_of(c.sixteens);
 	float covered = bits_of(positive), twice = bits_of(several);
 	float open = SAMPLES - covered;
 	// Without any that are covered twice it is the sum.

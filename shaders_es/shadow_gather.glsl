@@ -14,7 +14,7 @@ uniform float disc_facing; // what window x or y are of the tangent to the light
 
 const int EDGE_ROW_BITS = 10;
 // Sheets that the counters have room for; behind more nothing is lit.
-const int WINDING_MAX = 7;
+const int WINDING_MAX = 15;
 
 float cross_of(vec2 a, vec2 b)
 {
@@ -233,7 +233,7 @@ bool is_narrow(edge edge, receiver r)
 // starts or ends at.
 sums walk(receiver r, origin from, int first, int end)
 {
-	sums sum = sums(0, 0, 0.0, counters(uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u)), 0);
+	sums sum = sums(0, 0, 0.0, counters(uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u)), 0);
 	vec2 path = r.s.xy - from.at;
 	edge edge;
 	float across_b = 0.0, above_b = 0.0;
