@@ -5,6 +5,8 @@ uniform usampler2D edge_tiles; // struct edge_tile of scene/edge_grid.h
 uniform sampler2D edge_map;    // struct chain_vertex, EDGE_ROW a row
 uniform usampler2D front_layer; // see gather_layer.frag
 uniform usampler2D second_layer;
+uniform usampler2D third_layer;
+uniform int layer_count; // what more there would be is empty
 uniform float tile_count;  // a side
 uniform float disc_scale;  // radius of the disc, window x or y, over the depth before the receiver
 uniform float pole;        // K, see scene/light.h
@@ -12,6 +14,7 @@ uniform float snap;        // by how much points of edges and sheets are moved, 
 uniform bool casts;        // the receiver, as well
 uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
 
+const int LAYERS = 3;
 const int EDGE_ROW_BITS = 10;
 // Sheets that the counters have room for; behind more nothing is lit.
 const int WINDING_MAX = 15;
@@ -62,10 +65,24 @@ struct sheet {
 	vec2 slope;
 };
 
-sheet sheet_of(uvec2 texel)
+sheet sheet_of(uvec4 texel)
 {
 	vec2 slope = unpackHalf2x16(texel.y) * (map_size.x / SLOPE_SCALE);
 	return sheet(uintBitsToFloat(texel.x), slope);
+}
+
+// Those at a texel of each layer, nearest first.
+struct sheets {
+	sheet of[LAYERS];
+};
+
+sheets sheets_at(ivec2 texel)
+{
+	sheets found;
+	found.of[0] = sheet_of(texelFetch(front_layer, texel, 0));
+	found.of[1] = sheet_of(texelFetch(second_layer, texel, 0));
+	found.of[2] = sheet_of(texelFetch(third_layer, texel, 0));
+	return found;
 }
 
 float noise_of(sheet sheet, receiver r)
@@ -127,26 +144,32 @@ origin origin_among(receiver r, origin middle, int tries)
 		vec2 texel = nearest + beside * vec2(float(i & 1), float(i >> 1));
 		texel = clamp(texel, vec2(0.0), vec2(map_size.x - 1.0));
 		vec2 off = (texel + 0.5) * map_size.y - r.s.xy;
-		sheet front = sheet_of(texelFetch(front_layer, ivec2(texel), 0).xy);
-		sheet second = sheet_of(texelFetch(second_layer, ivec2(texel), 0).xy);
-		float strange_front = casts ? strangeness(front, r, off) : 2.0;
-		float strange_second = casts ? strangeness(second, r, off) : 2.0;
-		float strange = min(strange_front, strange_second);
+		sheets sheets = sheets_at(ivec2(texel));
+		float strange = 2.0;
+		int own_layer = LAYERS;
+		for (int j = 0; j < LAYERS; j++) {
+			float found = strangeness(sheets.of[j], r, off);
+			bool nearer = casts && j < layer_count && found < strange;
+			own_layer = nearer && found <= 1.0 ? j : own_layer;
+			strange = nearer ? found : strange;
+		}
 		bool own = strange <= 1.0;
 		if (i > 0 && (!own || strange >= best - BETTER))
 			continue;
 		best = own ? strange : 1.0 + BETTER;
-		bool own_front = own && strange_front <= strange_second;
-		int blocking = int(blocks(front, r, off) && !own_front) +
-			int(blocks(second, r, off) && !(own && !own_front));
-		// Where both layers are before the receiver more sheets may be: of what does not cast
+		int blocking = 0, before = 0;
+		for (int j = 0; j < LAYERS; j++) {
+			bool counts = j < layer_count;
+			before += int(counts && is_before(sheets.of[j], r, off));
+			blocking += int(counts && j != own_layer && blocks(sheets.of[j], r, off));
+		}
+		// Where all layers are before the receiver more sheets may be: of what does not cast
 		// it is taken that it lies behind all that are in line.
-		bool full = !casts && blocking == 2;
+		bool full = !casts && blocking == layer_count;
 		float rise = dot(r.slope, off);
 		from.at = full ? middle.at : off + r.s.xy;
 		from.winding = full ? middle.winding : blocking;
-		from.seen = full || !casts || strange < CERTAIN ? from.winding :
-			int(is_before(front, r, off)) + int(is_before(second, r, off));
+		from.seen = full || !casts || strange < CERTAIN ? from.winding : before;
 		from.depth = full ? middle.depth : r.s.z - r.noise;
 		from.own_depth = full ? 0.0 : 2.0 * r.noise + max(rise, 0.0);
 		from.slope = rise < 0.0 && !full ? r.slope : vec2(0.0);

@@ -102,6 +102,7 @@ static void set_samplers(struct gl *gl, const struct program *program)
 	gl->Uniform1i(program->uniform.edge_map, UNIT_EDGES);
 	gl->Uniform1i(program->uniform.front_layer, UNIT_FRONT_LAYER);
 	gl->Uniform1i(program->uniform.second_layer, UNIT_SECOND_LAYER);
+	gl->Uniform1i(program->uniform.third_layer, UNIT_THIRD_LAYER);
 	gl->Uniform1i(program->uniform.disc_masks, UNIT_DISC_MASKS);
 	gl->Uniform1i(program->uniform.point_map, UNIT_POINTS);
 	gl->Uniform1i(program->uniform.cell_map, UNIT_CELLS);

@@ -7,7 +7,7 @@
 /* The layers tell how many sheets are before a receiver, and that at their texels' centres: finer
  * ones change nothing. */
 #define LAYER_SIZE_MAX 512
-#define LAYERS 2
+#define LAYERS_MAX 3
 
 /* Vertices of all lists: 1.5 MB. */
 #define VERTICES_MAX (96 * 1024)
@@ -21,8 +21,10 @@
  * textures are fetched alone, and the layers are integers: core ES 3.0, whatever a driver makes of
  * floats. */
 struct gather {
-	struct target layers[LAYERS]; /* depth and slope of the casters' first sheets */
-	struct target depth;          /* what the layers are drawn with */
+	/* Depth and slope of the casters' first sheets; the later ones made when there are any. */
+	struct target layers[LAYERS_MAX];
+	int layer_count;     /* that the last frame has */
+	struct target depth; /* what the layers are drawn with */
 	GLuint tiles, vertices, masks;
 	GLsizei rows; /* of the texture of vertices */
 	struct edge_grid grid;
@@ -70,13 +72,6 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 	if (!target_init(
 		    &gather->depth, gl, size, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
 		return false;
-	for (int i = 0; i < LAYERS; i++) {
-		if (!target_init(
-			    &gather->layers[i], gl, size, GL_RG32UI, GL_COLOR_ATTACHMENT0, error))
-			return false;
-		gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
-			gather->depth.texture, 0);
-	}
 	upload_masks(gather, gl);
 	gather->tiles = create_table(gl);
 	gather->vertices = create_table(gl);
@@ -91,7 +86,7 @@ static void gather_finish(void *state, struct gpu *gpu)
 	gl_delete_texture(&gpu->gl, &gather->vertices);
 	gl_delete_texture(&gpu->gl, &gather->tiles);
 	gl_delete_texture(&gpu->gl, &gather->masks);
-	for (int i = 0; i < LAYERS; i++)
+	for (int i = 0; i < LAYERS_MAX; i++)
 		target_finish(&gather->layers[i], &gpu->gl);
 	target_finish(&gather->depth, &gpu->gl);
 }
@@ -114,6 +109,22 @@ static void draw_sheets(struct gpu *gpu, const struct sm_scene *scene,
 	gl->Disable(GL_CULL_FACE);
 }
 
+static bool bind_layer(struct gather *gather, struct gl *gl, int layer, struct sm_error *error)
+{
+	struct target *target = &gather->layers[layer];
+	if (target->bytes > 0) {
+		target_bind(target, gl);
+		return true;
+	}
+	target_finish(target, gl);
+	if (!target_init(target, gl, gather->depth.size, GL_RG32UI, GL_COLOR_ATTACHMENT0, error))
+		return false;
+	gl->FramebufferTexture2D(
+		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, gather->depth.texture, 0);
+	target_bind(target, gl);
+	return true;
+}
+
 static bool draw_layer(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, int layer, struct sm_error *error)
 {
@@ -121,7 +132,8 @@ static bool draw_layer(struct gather *gather, struct gpu *gpu, const struct sm_s
 	static const GLuint none[4] = {0x40000000, 0, 0, 0};
 	struct gl *gl = &gpu->gl;
 	struct program_key key = {PROGRAM_LAYER, layer > 0 ? FLAG_PEEL : 0};
-	target_bind(&gather->layers[layer], gl);
+	if (!bind_layer(gather, gl, layer, error))
+		return false;
 	gl->DepthMask(GL_TRUE);
 	gl->ClearBufferuiv(GL_COLOR, 0, none);
 	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
@@ -138,12 +150,24 @@ static bool draw_layer(struct gather *gather, struct gpu *gpu, const struct sm_s
 	return true;
 }
 
+/* As many layers as there are sheets one behind the other in some tile's middle. */
+static int sheets_in_line(const struct edge_grid *grid)
+{
+	int most = 1;
+	for (size_t i = 0; i < (size_t)grid->tiles * grid->tiles && most < LAYERS_MAX; i++) {
+		int winding = edge_tile_winding(&grid->of[i]);
+		most = winding > most ? winding : most;
+	}
+	return most < LAYERS_MAX ? most : LAYERS_MAX;
+}
+
 static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
 	bool drawn = true;
+	gather->layer_count = sheets_in_line(&gather->grid);
 	gl_push_group(&gpu->gl, "layers");
-	for (int i = 0; i < LAYERS && drawn; i++)
+	for (int i = 0; i < gather->layer_count && drawn; i++)
 		drawn = draw_layer(gather, gpu, scene, frame, i, error);
 	gl_pop_group(&gpu->gl);
 	return drawn;
@@ -289,8 +313,13 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 		depth_map_bind(&gather->hard, gpu, frame, program);
 		return;
 	}
-	gpu_bind_texture(gpu, UNIT_FRONT_LAYER, gather->layers[0].texture);
-	gpu_bind_texture(gpu, UNIT_SECOND_LAYER, gather->layers[1].texture);
+	static const enum texture_unit units[LAYERS_MAX] = {
+		UNIT_FRONT_LAYER, UNIT_SECOND_LAYER, UNIT_THIRD_LAYER};
+	for (int i = 0; i < LAYERS_MAX; i++) {
+		int layer = i < gather->layer_count ? i : 0;
+		gpu_bind_texture(gpu, units[i], gather->layers[layer].texture);
+	}
+	gl->Uniform1i(program->uniform.layer_count, gather->layer_count);
 	gpu_bind_texture(gpu, UNIT_EDGE_TILES, gather->tiles);
 	gpu_bind_texture(gpu, UNIT_EDGES, gather->vertices);
 	gpu_bind_texture(gpu, UNIT_DISC_MASKS, gather->masks);
