@@ -116,9 +116,27 @@ static bool is_finite(const float *value, bool halves)
 	return isfinite(*value);
 }
 
-/* bits: the target holds those of floats, as integers. */
+#define NO_HALVES SIZE_MAX
+
+/* Of a pass that writes the bits of floats to integers: the channel that two half floats share.
+ * False: its integers are no floats. */
+static bool find_halves(const char *pass, size_t *channel)
+{
+	static const struct {
+		const char *pass;
+		size_t channel;
+	} written[] = {{"smoothies", 0}, {"layers", 1}};
+	for (size_t i = 0; i < sizeof(written) / sizeof(written[0]); i++)
+		if (strcmp(written[i].pass, pass) == 0) {
+			*channel = written[i].channel;
+			return true;
+		}
+	return false;
+}
+
+/* halves: the channel that has two, in a target that holds the bits of floats as integers. */
 static void check_strip(struct stress_probe *probe, GLint y, GLint width, GLint rows,
-	GLenum attachment, bool bits, const char *pass)
+	GLenum attachment, size_t halves, const char *pass)
 {
 	size_t count = 4 * (size_t)width * (size_t)rows;
 	if (!array_reserve((void **)&probe->values, &probe->value_capacity, count,
@@ -126,12 +144,12 @@ static void check_strip(struct stress_probe *probe, GLint y, GLint width, GLint 
 		stress_fault_set(probe->fault, STRESS_FAULT_OTHER, "out of memory");
 		return;
 	}
-	if (bits)
+	if (halves != NO_HALVES)
 		glReadPixels(0, y, width, rows, GL_RGBA_INTEGER, GL_UNSIGNED_INT, probe->values);
 	else
 		glReadPixels(0, y, width, rows, GL_RGBA, GL_FLOAT, probe->values);
 	for (size_t i = 0; i < count; i++)
-		if (!is_finite(&probe->values[i], bits && i % 4 == 0)) {
+		if (!is_finite(&probe->values[i], i % 4 == halves)) {
 			stress_fault_set(probe->fault, STRESS_FAULT_FLOAT,
 				"pass \"%s\" writes %g to channel %zu of target %u at %zu, %zu",
 				pass, (double)probe->values[i], i % 4,
@@ -161,18 +179,19 @@ bool stress_probe_check_targets(
 	glGetIntegerv(GL_READ_BUFFER, &read_buffer);
 	glGetIntegerv(GL_VIEWPORT, viewport);
 	probe->fault = fault;
-	if (bound == 0)
+	/* A context without a surface has a viewport of no pixels until one is set. */
+	if (bound == 0 || viewport[2] <= 0)
 		return true;
 	for (GLenum i = GL_COLOR_ATTACHMENT0; i < GL_COLOR_ATTACHMENT0 + 4; i++) {
 		GLint type = component_type(i);
-		if (type != GL_FLOAT && type != GL_UNSIGNED_INT)
+		size_t halves = NO_HALVES;
+		if (type != GL_FLOAT && (type != GL_UNSIGNED_INT || !find_halves(pass, &halves)))
 			continue;
 		glReadBuffer(i);
 		GLint rows = strip_rows(viewport[2]);
 		for (GLint y = 0; y < viewport[3]; y += rows)
 			check_strip(probe, y, viewport[2],
-				rows < viewport[3] - y ? rows : viewport[3] - y, i,
-				type == GL_UNSIGNED_INT, pass);
+				rows < viewport[3] - y ? rows : viewport[3] - y, i, halves, pass);
 	}
 	if (read_buffer != (GLint)GL_NONE)
 		glReadBuffer((GLenum)read_buffer);

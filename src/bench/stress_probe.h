@@ -74,9 +74,9 @@ bool stress_probe_picture(struct stress_probe *probe, const struct stress_subjec
 	struct stress_fault *fault);
 
 /** Reads what the framebuffer that is bound holds within the viewport, as is done when a pass ends:
- *  its floats, and those whose bits are in targets of unsigned integers (two halves in red, a float
- *  in each other channel, as two-sided smoothies have them). False: one of them is not finite, or
- *  GL has an error. */
+ *  its floats, and those whose bits the passes "smoothies" (two halves in red, a float in each
+ * other channel) and "layers" (a float in red, two halves in green) write to unsigned integers.
+ * False: one of them is not finite, or GL has an error. */
 bool stress_probe_check_targets(
 	struct stress_probe *probe, const char *pass, struct stress_fault *fault);
 

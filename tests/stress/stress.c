@@ -82,15 +82,21 @@ static void maps_are_no_larger_than_the_driver_has(void **state)
 static void bits_of_floats_are_read_as_floats_are(void **state)
 {
 	static const struct {
+		const char *pass;
 		GLuint bits[4];
 		bool finite;
 	} cases[] = {
-		{{0, 0x3f800000, 0, 0}, true},
-		{{0x7bfffbff, 0xff7fffff, 0x00000001, 0}, true}, /* the largest, and the least */
-		{{0x00007c00, 0, 0, 0}, false},
-		{{0xfe000000, 0, 0, 0}, false},
-		{{0, 0x7f800000, 0, 0}, false},
-		{{0, 0, 0xffc00000, 0}, false},
+		{"smoothies", {0, 0x3f800000, 0, 0}, true},
+		/* the largest, and the least */
+		{"smoothies", {0x7bfffbff, 0xff7fffff, 0x00000001, 0}, true},
+		{"smoothies", {0x00007c00, 0, 0, 0}, false},
+		{"smoothies", {0xfe000000, 0, 0, 0}, false},
+		{"smoothies", {0, 0x7f800000, 0, 0}, false},
+		{"smoothies", {0, 0, 0xffc00000, 0}, false},
+		{"layers", {0x3f7fffff, 0x7bfffbff, 0, 0}, true},
+		{"layers", {0xff800000, 0, 0, 0}, false},
+		{"layers", {0, 0x00007c00, 0, 0}, false},
+		{"silhouettes", {0xff800000, 0x7c007c00, 0, 0}, true},
 	};
 	GLuint framebuffer, texture;
 	(void)state;
@@ -104,7 +110,7 @@ static void bits_of_floats_are_read_as_floats_are(void **state)
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct stress_fault fault = {0};
 		glClearBufferuiv(GL_COLOR, 0, cases[i].bits);
-		bool finite = stress_probe_check_targets(&probe, "a test", &fault);
+		bool finite = stress_probe_check_targets(&probe, cases[i].pass, &fault);
 		assert_int_equal(finite, cases[i].finite);
 		assert_true(finite || fault.kind == STRESS_FAULT_FLOAT);
 	}
