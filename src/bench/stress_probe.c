@@ -44,7 +44,7 @@ static const struct {
 
 /* An sm_get_proc has no data of its own. */
 static sm_get_proc real_get_proc;
-static bool edits_missing;
+static bool edits_missing, edits_made;
 
 /* A copy of the text with one edit, or NULL where there is nothing to edit. */
 static char *edit_text(const char *text, const char *from, const char *to)
@@ -63,7 +63,7 @@ static char *edit_text(const char *text, const char *from, const char *to)
 static char *edit_surface(const char *text)
 {
 	char *edited = NULL;
-	if (strstr(text, "faces_light() ? v") == NULL)
+	if (strstr(text, "bool faces_light()") == NULL)
 		return NULL;
 	for (size_t i = 0; i < sizeof(edits) / sizeof(edits[0]); i++) {
 		char *next = edit_text(i == 0 ? text : edited, edits[i].from, edits[i].to);
@@ -74,6 +74,7 @@ static char *edit_surface(const char *text)
 			return NULL;
 		}
 	}
+	edits_made = true;
 	return edited;
 }
 
@@ -229,7 +230,7 @@ bool stress_probe_init(struct stress_probe *probe, sm_get_proc get_proc,
 {
 	*probe = (struct stress_probe){.floats = has_extension("GL_EXT_color_buffer_float")};
 	real_get_proc = get_proc;
-	edits_missing = false;
+	edits_missing = edits_made = false;
 	probe->renderer =
 		sm_renderer_create_with(probe->floats ? edit_get_proc : get_proc, driver, error);
 	if (probe->renderer == NULL)
@@ -310,7 +311,8 @@ static bool draw(struct stress_probe *probe, const struct stress_subject *subjec
 	if (!sm_renderer_set_shadows(probe->renderer, &subject->shadow, &error) ||
 		!sm_renderer_draw(probe->renderer, subject->scene, &view, &error))
 		return stress_fault_set(fault, kind_of(&error), "drawing fails: %s", error.text);
-	if (edits_missing)
+	bool unedited = probe->floats && visibility_of != SM_NONE && !edits_made;
+	if (edits_missing || unedited)
 		return stress_fault_set(fault, STRESS_FAULT_OTHER,
 			"surface.frag has changed: stress_probe.c must follow it");
 	return fault->text[0] == '\0';
