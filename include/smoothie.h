@@ -345,6 +345,8 @@ struct sm_frame_stats {
 	uint32_t sparse_lights;    /**< of these: with SM_SAMPLING_SPARSE */
 	uint64_t triangles;        /**< submitted, all passes */
 	uint64_t silhouette_edges; /**< all lights */
+	uint64_t edges_left_out;   /**< by "gather": an edge counts for each part of the light's
+				      screen whose list had no room for it, nearer edges first */
 	uint64_t fin_vertices;
 	uint64_t uploaded_bytes;
 	double silhouette_ms; /**< processor time for silhouettes and fins; with another precision

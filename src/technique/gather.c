@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "base/log.h"
 #include "base/processor_time.h"
 #include "scene/edge_grid.h"
 #include "technique/depth_map.h"
@@ -33,6 +34,7 @@ struct gather {
 	bool point;
 	bool sparse; /* in the last frame */
 	enum sm_sampling sampling;
+	bool told; /* that edges are left out */
 	uint32_t map_size, subpixel_bits;
 };
 
@@ -230,6 +232,16 @@ static void mark_soft(struct gather *gather)
 				gather->soft.rows[row] |= (uint64_t)1 << x;
 }
 
+static void count_edges(struct gather *gather, struct sm_frame_stats *stats)
+{
+	stats->silhouette_edges += gather->grid.edge_count;
+	stats->edges_left_out += gather->grid.dropped;
+	if (gather->grid.dropped > 0 && !gather->told)
+		log_warning("more silhouette edges than lists have room for: shadows come from the "
+			    "nearest ones alone");
+	gather->told = gather->told || gather->grid.dropped > 0;
+}
+
 static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
@@ -245,7 +257,7 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 	bool found = edge_grid_find(&gather->grid, scene, frame, &options);
 	if (found) {
 		mark_soft(gather);
-		gpu->stats.silhouette_edges += gather->grid.edge_count;
+		count_edges(gather, &gpu->stats);
 		gpu->stats.silhouette_ms += processor_ms() - start;
 		gpu->gl.ActiveTexture(GL_TEXTURE0);
 		upload_tiles(gather, gpu);
