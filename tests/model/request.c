@@ -103,7 +103,7 @@ static uint32_t count_dark(const struct sm_scene *scene, const struct sm_shadow_
 	return dark;
 }
 
-/* Border texels stay clear. */
+/* Border texels stay clear; but gather asks no map what lies behind all casters. */
 static void test_the_smallest_maps_show_no_shadow(void **state)
 {
 	(void)state;
@@ -112,7 +112,8 @@ static void test_the_smallest_maps_show_no_shadow(void **state)
 	for (size_t i = 0; (name = sm_technique_name(i)) != NULL; i++)
 		for (uint32_t size = 1; size <= 2; size++) {
 			struct sm_shadow_options options = {.technique = name, .map_size = size};
-			assert_int_equal(count_dark(scene, &options), 0);
+			bool needs_map = strcmp(name, "gather") != 0;
+			assert_true((count_dark(scene, &options) == 0) == needs_map);
 			options.map_size = 64;
 			assert_true(count_dark(scene, &options) > 0);
 		}
