@@ -18,6 +18,7 @@ struct gpu {
 	GLuint quad_indices; /* 0 1 2, 0 2 3 for each quad */
 	size_t quad_capacity;
 	GLuint stored_sampler; /* reads sRGB texels as they are stored; made on first use */
+	uint32_t raster_bits;  /* see raster_grid.h; 0 until it is asked for */
 	struct sm_frame_stats stats;
 };
 

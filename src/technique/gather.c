@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/log.h"
 #include "base/processor_time.h"
+#include "gles/raster_grid.h"
 #include "scene/edge_grid.h"
 #include "technique/depth_map.h"
 #include "technique/disc_mask.h"
@@ -64,9 +65,7 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 {
 	struct gather *gather = state;
 	struct gl *gl = &gpu->gl;
-	GLint subpixel_bits = 0;
-	gl->GetIntegerv(GL_SUBPIXEL_BITS, &subpixel_bits);
-	gather->subpixel_bits = (uint32_t)subpixel_bits;
+	gather->subpixel_bits = raster_grid_bits(gpu);
 	gather->map_size = options->map_size;
 	gather->sampling = options->sampling;
 	GLsizei size =

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Penumbrae from silhouette edges. */
 #include "parts.h"
+#include "renderer.h"
 #include "scene/light.h"
 #include "visibility.h"
-#include <GLES3/gl3.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -89,8 +89,7 @@ static double sun_beside_slab(double x)
 static double limit_beside_slab(const struct rig *rig, uint32_t map_size)
 {
 	struct light_frame frame;
-	GLint bits = 0;
-	glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+	uint32_t bits = rig->renderer->gpu.raster_bits;
 	light_frame_fit(&frame, &sun, rig->scene);
 	double step = 2 * (double)frame.half_extent / (double)(map_size << bits);
 	double radius = 1.05 * 0.32 / 5; /* of the disc as seen from the ground */
