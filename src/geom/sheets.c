@@ -2,16 +2,16 @@
 #include "geom/sheets.h"
 #include <assert.h>
 
-/* The triangles from `first` on that do not face. */
+/* The triangles from `first` on that show their backs. Those that are seen edge on do neither: they
+ * hide nothing, and their boundary would lie on a line through the light. */
 static void find_back(
-	const struct caster *caster, size_t first, const uint64_t *facing, uint64_t *back)
+	const struct caster *caster, size_t first, const float light[4], uint64_t *back)
 {
-	size_t words = facing_words(caster);
-	for (size_t w = 0; w < words; w++)
-		back[w] = w < first / EDGE_BLOCK ? 0 : ~facing[w];
+	const float behind[4] = {-light[0], -light[1], -light[2], -light[3]};
+	facing_find(caster, behind, back);
+	for (size_t w = 0; w < first / EDGE_BLOCK; w++)
+		back[w] = 0;
 	back[first / EDGE_BLOCK] &= UINT64_MAX << first % EDGE_BLOCK;
-	if (caster->triangle_count % EDGE_BLOCK != 0)
-		back[words - 1] &= (UINT64_C(1) << caster->triangle_count % EDGE_BLOCK) - 1;
 }
 
 static void reverse(struct silhouette_edge *edges, size_t begin, size_t end)
@@ -25,7 +25,7 @@ static size_t smaller(size_t a, size_t b)
 	return a < b ? a : b;
 }
 
-size_t sheets_find(const struct caster *caster, const struct sheet_rule *rule,
+size_t sheets_find(const struct caster *caster, const struct sheet_rule *rule, const float light[4],
 	const uint64_t *facing, uint64_t *back, struct silhouette_edge *edges, size_t capacity)
 {
 	assert(rule->one_sided <= caster->found.closed_count);
@@ -35,7 +35,7 @@ size_t sheets_find(const struct caster *caster, const struct sheet_rule *rule,
 		reverse(edges, 0, written);
 	if (rule->one_sided == caster->triangle_count)
 		return count;
-	find_back(caster, rule->one_sided, facing, back);
+	find_back(caster, rule->one_sided, light, back);
 	size_t left = capacity - written;
 	size_t more = silhouette_find(caster, back, left > 0 ? edges + written : NULL, left);
 	/* What shows its back is on the right of its edges, but for a mirror. */

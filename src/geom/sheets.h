@@ -19,11 +19,11 @@ struct sheet_rule {
  * how many sheets lie over it. Where a sheet that counts on both sides folds away from the light,
  * its edge is there twice: for the part that faces and for that which does not.
  *
- * facing: as facing_find() leaves it. back: [facing_words()], overwritten; not looked at when all
- * triangles count on one side. Returns the number found, at most 2 * edge_table_records(), and
- * writes no more than capacity.
+ * facing: as facing_find() leaves it for the light. back: [facing_words()], set to the two-sided
+ * triangles that show their backs; not looked at when all triangles count on one side. Returns the
+ * number found, at most 2 * edge_table_records(), and writes no more than capacity.
  */
-size_t sheets_find(const struct caster *caster, const struct sheet_rule *rule,
+size_t sheets_find(const struct caster *caster, const struct sheet_rule *rule, const float light[4],
 	const uint64_t *facing, uint64_t *back, struct silhouette_edge *edges, size_t capacity);
 
 #endif

@@ -153,15 +153,15 @@ static bool find_edges(struct edge_chains *chains, const struct caster_view *vie
 	if (!array_reserve((void **)&chains->back, &chains->back_capacity,
 		    facing_words(view->caster), sizeof(*chains->back)))
 		return false;
-	*count = sheets_find(view->caster, &view->rule, view->facing, chains->back, chains->edges,
-		chains->edge_capacity);
+	*count = sheets_find(view->caster, &view->rule, view->light, view->facing, chains->back,
+		chains->edges, chains->edge_capacity);
 	if (*count <= chains->edge_capacity)
 		return true;
 	if (!array_reserve((void **)&chains->edges, &chains->edge_capacity, *count,
 		    sizeof(*chains->edges)))
 		return false;
-	sheets_find(view->caster, &view->rule, view->facing, chains->back, chains->edges,
-		chains->edge_capacity);
+	sheets_find(view->caster, &view->rule, view->light, view->facing, chains->back,
+		chains->edges, chains->edge_capacity);
 	return true;
 }
 
@@ -183,10 +183,9 @@ bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
 		    facing_words(view->caster), sizeof(*chains->facing)))
 		return false;
 	mat4 to_object;
-	vec4 light;
 	glm_mat4_inv((vec4 *)object->transform, to_object);
-	glm_mat4_mulv(to_object, (float *)frame->origin, light);
-	facing_find(view->caster, light, chains->facing);
+	glm_mat4_mulv(to_object, (float *)frame->origin, view->light);
+	facing_find(view->caster, view->light, chains->facing);
 	view->facing = chains->facing;
 	return true;
 }
@@ -199,7 +198,7 @@ bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view,
 	struct walk walk = {chains, view, chains->edges, NULL, screen};
 	if (!view->cut)
 		return follow_all(&walk, edge_count, view->caster->vertex_count);
-	if (!edge_clip_near(&chains->clip, view->caster, view->to_clip, view->facing,
+	if (!edge_clip_near(&chains->clip, view->caster, view->to_clip, view->facing, chains->back,
 		    view->rule.mirrored, chains->edges, edge_count))
 		return false;
 	walk.edges = chains->clip.edges;

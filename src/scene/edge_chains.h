@@ -21,6 +21,7 @@ struct chain_point {
 /** A caster as a light sees it. */
 struct caster_view {
 	const struct caster *caster;
+	vec4 light; /* as facing_find() takes it */
 	mat4 to_clip;
 	struct sheet_rule rule;
 	bool cut; /* by the near plane, perhaps; then all triangles count on both sides */

@@ -133,8 +133,8 @@ static bool number_edges(struct edge_clip *clip)
 }
 
 bool edge_clip_near(struct edge_clip *clip, const struct caster *caster, const mat4 to_clip,
-	const uint64_t *facing, bool mirrored, const struct silhouette_edge *edges,
-	size_t edge_count)
+	const uint64_t *facing, const uint64_t *back, bool mirrored,
+	const struct silhouette_edge *edges, size_t edge_count)
 {
 	struct clipping clipping = {clip, caster, to_clip};
 	clip->end_count = 0;
@@ -145,7 +145,8 @@ bool edge_clip_near(struct edge_clip *clip, const struct caster *caster, const m
 		clip_edge(&clipping, edges[i]);
 	for (size_t t = 0; t < caster->triangle_count; t++) {
 		bool faces = facing[t / EDGE_BLOCK] >> t % EDGE_BLOCK & 1;
-		close_triangle(&clipping, &caster->indices[3 * t], faces == mirrored);
+		if (faces || back[t / EDGE_BLOCK] >> t % EDGE_BLOCK & 1)
+			close_triangle(&clipping, &caster->indices[3 * t], faces == mirrored);
 	}
 	return collect_vertices(clip) && number_edges(clip);
 }

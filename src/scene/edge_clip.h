@@ -25,12 +25,13 @@ struct edge_clip {
 /**
  * Clips the boundary of a caster's sheets, all of which count on both sides, at the near plane
  * z = -w of clip space, and closes it along the cut: at each vertex as many edges end as start, as
- * before. edges: [edge_count], sheet on the left; facing, mirrored: as found them. False: out of
+ * before. edges: [edge_count], sheet on the left; facing, back, mirrored: as
+ * sheets_find() had and left them. False: out of
  * memory.
  */
 bool edge_clip_near(struct edge_clip *clip, const struct caster *caster, const mat4 to_clip,
-	const uint64_t *facing, bool mirrored, const struct silhouette_edge *edges,
-	size_t edge_count);
+	const uint64_t *facing, const uint64_t *back, bool mirrored,
+	const struct silhouette_edge *edges, size_t edge_count);
 
 void edge_clip_finish(struct edge_clip *clip);
 

@@ -168,7 +168,7 @@ static void check_fins(const struct caster *caster, const struct silhouette_edge
 }
 
 /* Closed parts first, and whichever triangles count on one side, sheets have closed rims. */
-static void check_sheets(const struct caster *caster, const uint64_t *facing)
+static void check_sheets(const struct caster *caster, const float light[4], const uint64_t *facing)
 {
 	size_t closed = caster->found.closed_count, rules[2] = {0, closed};
 	uint64_t *back = malloc(facing_words(caster) * sizeof(*back));
@@ -176,11 +176,11 @@ static void check_sheets(const struct caster *caster, const uint64_t *facing)
 	expect(caster->found.turned <= caster->triangle_count);
 	for (int i = 0; i < 2; i++) {
 		struct sheet_rule rule = {.one_sided = rules[i]};
-		size_t count = sheets_find(caster, &rule, facing, back, NULL, 0);
+		size_t count = sheets_find(caster, &rule, light, facing, back, NULL, 0);
 		struct silhouette_edge *edges = malloc(count * sizeof(*edges));
 		expect(count <= 2 * edge_table_records(&caster->edges));
 		expect(edges != NULL || count == 0);
-		expect(sheets_find(caster, &rule, facing, back, edges, count) == count);
+		expect(sheets_find(caster, &rule, light, facing, back, edges, count) == count);
 		check_loops(caster, edges, count);
 		free(edges);
 	}
@@ -196,7 +196,7 @@ static void check_shadow(
 	expect(count <= edge_table_records(&caster->edges) && (edges != NULL || count == 0));
 	expect(silhouette_find(caster, facing, edges, count) == count);
 	check_loops(caster, edges, count);
-	check_sheets(caster, facing);
+	check_sheets(caster, light, facing);
 	struct fin_params two_sided = *params;
 	two_sided.both_sides = true;
 	two_sided.apron = 4.0f * params->finest;

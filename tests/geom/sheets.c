@@ -153,7 +153,8 @@ static void check_light(struct subject *s, uint64_t *state, size_t one_sided)
 	const struct caster *caster = &s->mesh.caster;
 	const struct sheet_rule rule = {one_sided, s->mirrored};
 	facing_find(caster, s->light, s->facing);
-	size_t count = sheets_find(caster, &rule, s->facing, s->back, s->edges, s->capacity);
+	size_t count =
+		sheets_find(caster, &rule, s->light, s->facing, s->back, s->edges, s->capacity);
 	assert_true(count <= s->capacity);
 	for (int i = 0; i < 40; i++) {
 		const double q[2] = {0.4 * random_signed(state), 0.4 * random_signed(state)};
@@ -223,7 +224,8 @@ static size_t edges_of(struct model model, const float light[4], struct sheet_ru
 {
 	struct subject s = subject_of(&model);
 	facing_find(&s.mesh.caster, light, s.facing);
-	size_t count = sheets_find(&s.mesh.caster, &rule, s.facing, s.back, s.edges, s.capacity);
+	size_t count =
+		sheets_find(&s.mesh.caster, &rule, light, s.facing, s.back, s.edges, s.capacity);
 	subject_finish(&s);
 	model_finish(&model);
 	return count;
@@ -240,6 +242,27 @@ static void counts_edges(void **state)
 	assert_int_equal(edges_of(model_grid(5), below, open), 20);
 }
 
+/* Of a cube that is seen from straight above the front and the back are left, each with its own
+ * corners. */
+static void what_is_edge_on_is_no_sheet(void **state)
+{
+	(void)state;
+	struct model model = model_cube();
+	struct subject s = subject_of(&model);
+	const struct caster *caster = &s.mesh.caster;
+	const struct sheet_rule open = {0};
+	const float light[4] = {0, 0, 1, 0};
+	int edges_from[8] = {0};
+	facing_find(caster, light, s.facing);
+	size_t count = sheets_find(caster, &open, light, s.facing, s.back, s.edges, s.capacity);
+	assert_int_equal(count, 8);
+	assert_int_equal(caster->vertex_count, 8);
+	for (size_t i = 0; i < count; i++)
+		assert_int_equal(edges_from[s.edges[i].a]++, 0);
+	subject_finish(&s);
+	model_finish(&model);
+}
+
 static void writes_no_more_than_capacity(void **state)
 {
 	(void)state;
@@ -247,15 +270,18 @@ static void writes_no_more_than_capacity(void **state)
 	struct subject s = subject_of(&model);
 	const struct caster *caster = &s.mesh.caster;
 	const struct sheet_rule rule = {.mirrored = true};
-	facing_find(caster, (const float[4]){0.3f, 0.1f, 1, 0}, s.facing);
-	size_t needed = sheets_find(caster, &rule, s.facing, s.back, NULL, 0);
+	const float light[4] = {0.3f, 0.1f, 1, 0};
+	facing_find(caster, light, s.facing);
+	size_t needed = sheets_find(caster, &rule, light, s.facing, s.back, NULL, 0);
 	assert_true(needed > 20 && needed <= s.capacity);
-	assert_int_equal(sheets_find(caster, &rule, s.facing, s.back, s.edges, s.capacity), needed);
+	assert_int_equal(
+		sheets_find(caster, &rule, light, s.facing, s.back, s.edges, s.capacity), needed);
 	for (size_t capacity = 1; capacity <= needed; capacity += 3) {
 		struct silhouette_edge *exact = malloc(capacity * sizeof(*exact));
 		assert_non_null(exact);
 		assert_int_equal(
-			sheets_find(caster, &rule, s.facing, s.back, exact, capacity), needed);
+			sheets_find(caster, &rule, light, s.facing, s.back, exact, capacity),
+			needed);
 		assert_memory_equal(exact, s.edges, capacity * sizeof(*exact));
 		free(exact);
 	}
@@ -269,6 +295,7 @@ int main(void)
 		cmocka_unit_test(windings_are_sheets),
 		cmocka_unit_test(whatever_the_winding_of_triangles),
 		cmocka_unit_test(counts_edges),
+		cmocka_unit_test(what_is_edge_on_is_no_sheet),
 		cmocka_unit_test(writes_no_more_than_capacity),
 	};
 	return cmocka_run_group_tests_name("sheets", tests, NULL, NULL);
