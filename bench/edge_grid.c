@@ -1,40 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /* How long it takes to find silhouettes and list them by tiles, against their number. */
 #include "scene/edge_grid.h"
+#include "base/processor_time.h"
+#include "bench/statistics.h"
 #include "load/stage.h"
 #include <getopt.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
 
 #define ROUNDS 25
 #define MAP_SIZE 512
-#define VERTICES_MAX 150000
-#define MERGE 0.125f
+/* As the technique "gather" has them. */
+#define VERTICES_MAX (96 * 1024)
+#define MERGE 0.1f
 
 /* What one search takes, and what it finds. */
 struct measurement {
 	double chains, all; /* ms */
 };
-
-static double processor_ms(void)
-{
-	struct timespec now;
-	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-	return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
-}
-
-static int compare_doubles(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
-}
-
-static double median(double values[ROUNDS])
-{
-	qsort(values, ROUNDS, sizeof(*values), compare_doubles);
-	return values[ROUNDS / 2];
-}
 
 /* The chains alone. */
 static bool find_chains(struct edge_chains *chains, const struct sm_scene *scene,
@@ -67,7 +49,8 @@ static bool measure(struct edge_grid *grid, const struct sm_scene *scene,
 			return false;
 		all[round] = processor_ms() - start;
 	}
-	*found = (struct measurement){median(chains), median(all)};
+	*found = (struct measurement){
+		statistics_median(chains, ROUNDS), statistics_median(all, ROUNDS)};
 	return true;
 }
 

@@ -2,6 +2,7 @@
 /* Time of whole frames, a technique against the other and against the limits of their passes,
  * interleaved in one run so that the ratios hold on a machine whose speed drifts. */
 #include "base/array.h"
+#include "bench/statistics.h"
 #include "load/stage.h"
 #include "platform.h"
 #include "renderer.h"
@@ -212,18 +213,6 @@ static void bench_finish(struct bench *bench)
 	stage_finish(&bench->stage);
 }
 
-static int compare_doubles(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return (x > y) - (x < y);
-}
-
-static double median(double *values, uint32_t count)
-{
-	qsort(values, count, sizeof(*values), compare_doubles);
-	return values[count / 2];
-}
-
 static bool run_rounds(
 	struct bench *bench, const struct options *options, GLuint program, struct sm_error *error)
 {
@@ -249,7 +238,7 @@ static void report(const char *source, struct bench *bench, const struct options
 	sm_renderer_get_stats(bench->renderers[FRAME_SMOOTHIE], &stats);
 	printf("%s\n", source);
 	for (int i = 0; i < CONTENDERS; i++) {
-		ms[i] = median(bench->times[i], options->rounds);
+		ms[i] = statistics_median(bench->times[i], options->rounds);
 		printf("  %-24s %8.2f ms\n", contender_names[i], ms[i]);
 	}
 	double limit = ms[LIGHT_DEPTH] + ms[VIEW_DEPTH] + ms[FULL_SCREEN];

@@ -4,6 +4,7 @@
 #include "geom/silhouette.h"
 #include "base/array.h"
 #include "base/error.h"
+#include "bench/statistics.h"
 #include "geom/mesh.h"
 #include "models.h"
 #include <getopt.h>
@@ -228,18 +229,6 @@ static void light_on_circle(const struct caster *caster, int i, float light[4])
 	light[3] = 1.0f;
 }
 
-static int compare_doubles(const void *a, const void *b)
-{
-	double x = *(const double *)a, y = *(const double *)b;
-	return x < y ? -1 : x > y;
-}
-
-static double median(double samples[SAMPLES])
-{
-	qsort(samples, SAMPLES, sizeof(*samples), compare_doubles);
-	return samples[SAMPLES / 2];
-}
-
 /* Medians per edge, and the mean length of the silhouettes; false when the searches disagree. */
 static bool measure(struct bench *bench, double ns[TIMED], double *found)
 {
@@ -257,7 +246,7 @@ static bool measure(struct bench *bench, double ns[TIMED], double *found)
 			return false;
 	}
 	for (int i = 0; i < TIMED; i++)
-		ns[i] = median(samples[i]) / (double)bench->plain.count;
+		ns[i] = statistics_median(samples[i], SAMPLES) / (double)bench->plain.count;
 	return true;
 }
 
