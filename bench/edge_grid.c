@@ -11,7 +11,6 @@
 #define MAP_SIZE 512
 /* As the technique "gather" has them. */
 #define VERTICES_MAX (96 * 1024)
-#define MERGE 0.1f
 
 /* What one search takes, and what it finds. */
 struct measurement {
@@ -37,7 +36,7 @@ static bool find_chains(struct edge_chains *chains, const struct sm_scene *scene
 static bool measure(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, uint32_t tiles, struct measurement *found)
 {
-	const struct edge_grid_options options = {tiles, MAP_SIZE, 8, VERTICES_MAX, MERGE};
+	const struct edge_grid_options options = {tiles, MAP_SIZE, 8, VERTICES_MAX};
 	double chains[ROUNDS], all[ROUNDS];
 	for (int round = 0; round < ROUNDS; round++) {
 		double start = processor_ms();

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/edge_grid.h"
 #include "base/array.h"
-#include "scene/edge_merge.h"
 #include "scene/edge_winding.h"
 #include <assert.h>
 #include <stdlib.h>
@@ -52,23 +51,6 @@ static bool add_objects(struct edge_grid *grid, const struct sm_scene *scene,
 	return add_receivers(grid, scene, frame, false) && add_receivers(grid, scene, frame, true);
 }
 
-/* Depths of merged edges are as near to what they were, at most: a receiver is before or behind. */
-#define MERGED_DEPTH 2e-4f
-
-/* A penumbra is moved no farther by an edge's depth than by its place. */
-static void merge_edges(struct edge_grid *grid, const struct light_frame *frame,
-	const struct edge_grid_options *options)
-{
-	float width = disc_scale(frame) * (float)options->map_size;
-	const struct edge_tolerance tolerance = {
-		.steps = options->merge * (float)(1u << options->subpixel_bits),
-		.depth = fminf(MERGED_DEPTH, options->merge / fmaxf(width, FLT_MIN)),
-		.texel = 1u << options->subpixel_bits,
-	};
-	if (options->merge > 0.0f)
-		edge_merge(&grid->chains, &tolerance);
-}
-
 /* With as many tiles as leave the lists short enough. */
 static bool make_lists(struct edge_grid *grid, const struct light_frame *frame,
 	const struct edge_grid_options *options, float step)
@@ -115,7 +97,6 @@ bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 	uint32_t screen = options->map_size << options->subpixel_bits;
 	if (!add_objects(grid, scene, frame, options))
 		return false;
-	merge_edges(grid, frame, options);
 	if (!make_lists(grid, frame, options, 1.0f / (float)screen))
 		return false;
 	grid->tiles = grid->depths.tiles;

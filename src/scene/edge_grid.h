@@ -31,8 +31,6 @@ struct edge_grid_options {
 	uint32_t map_size;      /* texels a side of the layered map: margin of the lists */
 	uint32_t subpixel_bits; /* of the rasteriser: the raster grid */
 	size_t vertices_max;    /* of all lists, below 2^24; beyond it the nearest edges win */
-	float merge;            /* texels that edges may move by where several become one; 0: none
-				   do */
 };
 
 /**

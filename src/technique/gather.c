@@ -13,8 +13,6 @@
 
 /* Vertices of all lists: 1.5 MB. */
 #define VERTICES_MAX (96 * 1024)
-/* Texels that edges may move by where several become one: more shows in narrow penumbrae. */
-#define EDGE_MERGE 0.1f
 /* Vertices in a row of their texture; as in shadow_gather.glsl. */
 #define EDGE_ROW 1024
 
@@ -249,7 +247,6 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 		.map_size = (uint32_t)gather->depth.size,
 		.subpixel_bits = gather->subpixel_bits,
 		.vertices_max = VERTICES_MAX,
-		.merge = EDGE_MERGE,
 	};
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Silhouettes listed by the tiles of a light's screen: against every sheet, every edge and a host
  * of receivers tried one by one, in doubles. */
-#include "base/array.h"
 #include "edge_world.h"
-#include "scene/edge_winding.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -185,67 +183,6 @@ static void fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long(void **st
 	world_finish(&all);
 }
 
-/* Winding numbers at the centres of a map's texels. */
-static int32_t *texel_winding(const struct edge_chains *chains)
-{
-	int32_t *winding = array_alloc((size_t)MAP_SIZE * MAP_SIZE, sizeof(*winding));
-	assert_non_null(winding);
-	edge_winding_find(chains, SCREEN, MAP_SIZE, winding);
-	return winding;
-}
-
-/* Distance of a point from an edge, steps. */
-static double distance_from(const struct chain_point *point, const struct chain_point *edge)
-{
-	double run = (double)edge[1].x - edge[0].x, rise = (double)edge[1].y - edge[0].y;
-	double x = (double)point->x - edge[0].x, y = (double)point->y - edge[0].y;
-	double length2 = run * run + rise * rise;
-	double share = length2 > 0.0 ? (x * run + y * rise) / length2 : 0.0;
-	share = fmax(0.0, fmin(share, 1.0));
-	return hypot(x - share * run, y - share * rise);
-}
-
-static void assert_is_near_an_edge(
-	const struct chain_point *point, const struct edge_chains *chains, double most)
-{
-	double least = INFINITY;
-	for (size_t i = 0; i + 1 < chains->count && least > most; i++)
-		if (!chains->points[i].ends)
-			least = fmin(least, distance_from(point, &chains->points[i]));
-	assert_true(least <= most);
-}
-
-static void merged_edges_wind_around_each_texel_as_before(void **state)
-{
-	(void)state;
-	static const struct {
-		const char *source;
-		float at_most; /* points left, of those there were */
-	} rows[] = {{"builtin:knot:100000", 0.7f}, {"builtin:urchin:20000", 1.0f},
-		{"builtin:debris:600", 1.0f}};
-	for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
-		struct world world, merged;
-		struct edge_grid_options options = usual;
-		world_load(&world, rows[i].source, NULL, 0);
-		world_load(&merged, rows[i].source, NULL, 0);
-		world_find(&world, &options);
-		options.merge = 0.125f;
-		world_find(&merged, &options);
-		const struct edge_chains *before = &world.grid.chains, *after = &merged.grid.chains;
-		assert_true((float)after->count <= rows[i].at_most * (float)before->count);
-		assert_int_equal(merged.grid.edge_count, world.grid.edge_count);
-		assert_lists_are_in_order(&merged, rows[i].source);
-		int32_t *is = texel_winding(after), *was = texel_winding(before);
-		assert_memory_equal(is, was, sizeof(*is) * MAP_SIZE * MAP_SIZE);
-		for (size_t k = 0; k < before->count; k += 7)
-			assert_is_near_an_edge(&before->points[k], after, 0.125 * 256);
-		free(is);
-		free(was);
-		world_finish(&world);
-		world_finish(&merged);
-	}
-}
-
 static void assert_nothing_listed(const struct world *world)
 {
 	assert_int_equal(world->grid.vertex_count, 0);
@@ -389,7 +326,6 @@ int main(void)
 		cmocka_unit_test(whatever_the_mesh_winding_numbers_count_its_sheets),
 		cmocka_unit_test(a_light_inside_a_caster_sees_what_is_beyond_the_near_plane),
 		cmocka_unit_test(fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long),
-		cmocka_unit_test(merged_edges_wind_around_each_texel_as_before),
 		cmocka_unit_test(without_casters_or_receivers_nothing_is_listed),
 		cmocka_unit_test(a_point_light_lists_edges_where_they_are),
 		cmocka_unit_test(everything_is_finite),
