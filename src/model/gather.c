@@ -10,9 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LAYER_SIZE_MAX 512
-#define TILES 32
-#define VERTICES_MAX (96 * 1024)
 /* How far the receiver's sheet may have bent away from its plane on the way to a texel, over what
  * the slopes at both ends make of one bend; below which share of that it has not; and by how much
  * of it a farther texel has to be better. */
@@ -44,13 +41,13 @@ static bool init(void *state, const struct model_light *light, struct sm_error *
 	gather->light = *light;
 	if (light->frame.disc == 0.0f)
 		return init_point(gather, light, error);
-	if (gather->light.size > LAYER_SIZE_MAX)
-		gather->light.size = LAYER_SIZE_MAX;
+	if (gather->light.size > GATHER_LAYER_SIZE_MAX)
+		gather->light.size = GATHER_LAYER_SIZE_MAX;
 	const struct edge_grid_options options = {
-		.tiles = TILES,
+		.tiles = GATHER_TILES,
 		.map_size = (uint32_t)gather->light.size,
 		.subpixel_bits = light->snap_bits > 0 ? (uint32_t)light->snap_bits : 8,
-		.vertices_max = VERTICES_MAX,
+		.vertices_max = GATHER_VERTICES_MAX,
 	};
 	gather->snap = ldexp(0.5 / gather->light.size, -(int)options.subpixel_bits);
 	gather->masks = array_alloc(DISC_MASK_ANGLES * DISC_MASK_DISTANCES, sizeof(*gather->masks));
@@ -177,18 +174,18 @@ static double bend(const struct gather *gather, const struct eye *eye, const str
 /* Which layer the receiver's own sheet is, and at which texel. */
 struct own {
 	struct texel texel;
-	int layer;   /* LAYERS: not found */
+	int layer;   /* GATHER_LAYERS: not found */
 	double bent; /* as bend() */
 };
 
 static struct own find_own(const struct gather *gather, const struct eye *eye)
 {
-	struct own own = {near_texel(gather, eye, 0), LAYERS, 1.0 + BEND_GAIN};
+	struct own own = {near_texel(gather, eye, 0), GATHER_LAYERS, 1.0 + BEND_GAIN};
 	if (!eye->receiver->casts)
 		return own;
 	for (int rank = 0; rank < 4 && own.bent >= BEND_NONE; rank++) {
 		struct texel texel = near_texel(gather, eye, rank);
-		for (int i = 0; i < LAYERS; i++) {
+		for (int i = 0; i < GATHER_LAYERS; i++) {
 			double bent = bend(gather, eye, &texel, &gather->layers.of[i][texel.index]);
 			if (bent <= 1.0 && bent < own.bent - BEND_GAIN)
 				own = (struct own){texel, i, bent};
@@ -222,7 +219,7 @@ static struct origin origin_of_layers(
 	struct own own = find_own(gather, eye);
 	struct origin origin = {.at = {own.texel.at[0], own.texel.at[1]},
 		.slope = {receiver->slope[0], receiver->slope[1]}};
-	for (int i = 0; i < LAYERS; i++) {
+	for (int i = 0; i < GATHER_LAYERS; i++) {
 		const struct sheet *sheet = &gather->layers.of[i][own.texel.index];
 		double noise = eye->noise + gather->snap * length_1(sheet->slope);
 		bool before = plane_blocks(eye, &own.texel, sheet, noise);
@@ -230,7 +227,7 @@ static struct origin origin_of_layers(
 		origin.winding +=
 			before && i != own.layer && sheet_blocks(eye, &own.texel, sheet, noise);
 	}
-	*full = origin.winding == LAYERS;
+	*full = origin.winding == GATHER_LAYERS;
 	if (!receiver->casts || own.bent < BEND_NONE)
 		origin.winding_beside = origin.winding;
 	return origin;

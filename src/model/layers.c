@@ -76,7 +76,7 @@ static bool draw_layer(struct layers *layers, const struct model_light *light, i
 
 bool layers_init(struct layers *layers, const struct model_light *light)
 {
-	for (int i = 0; i < LAYERS; i++)
+	for (int i = 0; i < GATHER_LAYERS; i++)
 		if (!draw_layer(layers, light, i))
 			return false;
 	return true;
@@ -84,7 +84,7 @@ bool layers_init(struct layers *layers, const struct model_light *light)
 
 void layers_finish(struct layers *layers)
 {
-	for (int i = 0; i < LAYERS; i++)
+	for (int i = 0; i < GATHER_LAYERS; i++)
 		free(layers->of[i]);
 	*layers = (struct layers){0};
 }

@@ -3,8 +3,7 @@
 #define MODEL_LAYERS_H
 
 #include "model/light.h"
-
-#define LAYERS 3
+#include "technique/gather.h"
 
 /** Of the casters at a texel's centre, one that counts (geom/sheets.h). */
 struct sheet {
@@ -14,8 +13,8 @@ struct sheet {
 
 /** The casters' first sheets as a light sees them. */
 struct layers {
-	struct sheet *of[LAYERS]; /* each behind the one before; [size * size] of the light's,
-				     rows from the lower one, owned */
+	struct sheet *of[GATHER_LAYERS]; /* each behind the one before; [size * size] of the
+				     light's, rows from the lower one, owned */
 };
 
 /** Draws the layers, of zeroed ones. False: out of memory. */

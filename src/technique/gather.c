@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "technique/gather.h"
 #include "base/log.h"
 #include "base/processor_time.h"
 #include "gles/raster_grid.h"
@@ -6,13 +7,6 @@
 #include "technique/depth_map.h"
 #include "technique/disc_mask.h"
 
-/* The layers tell how many sheets are before a receiver, and that at their texels' centres: finer
- * ones change nothing. */
-#define LAYER_SIZE_MAX 512
-#define LAYERS_MAX 3
-
-/* Vertices of all lists: 1.5 MB. */
-#define VERTICES_MAX (96 * 1024)
 /* Vertices in a row of their texture; as in shadow_gather.glsl. */
 #define EDGE_ROW 1024
 
@@ -22,7 +16,7 @@
  * floats. */
 struct gather {
 	/* Depth and slope of the casters' first sheets; the later ones made when there are any. */
-	struct target layers[LAYERS_MAX];
+	struct target layers[GATHER_LAYERS];
 	int layer_count;     /* that the last frame has */
 	struct target depth; /* what the layers are drawn with */
 	GLuint tiles, vertices, masks;
@@ -66,8 +60,8 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 	gather->subpixel_bits = raster_grid_bits(gpu);
 	gather->map_size = options->map_size;
 	gather->sampling = options->sampling;
-	GLsizei size =
-		options->map_size < LAYER_SIZE_MAX ? (GLsizei)options->map_size : LAYER_SIZE_MAX;
+	GLsizei size = options->map_size < GATHER_LAYER_SIZE_MAX ? (GLsizei)options->map_size
+								 : GATHER_LAYER_SIZE_MAX;
 	if (!target_init(
 		    &gather->depth, gl, size, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
 		return false;
@@ -85,7 +79,7 @@ static void gather_finish(void *state, struct gpu *gpu)
 	gl_delete_texture(&gpu->gl, &gather->vertices);
 	gl_delete_texture(&gpu->gl, &gather->tiles);
 	gl_delete_texture(&gpu->gl, &gather->masks);
-	for (int i = 0; i < LAYERS_MAX; i++)
+	for (int i = 0; i < GATHER_LAYERS; i++)
 		target_finish(&gather->layers[i], &gpu->gl);
 	target_finish(&gather->depth, &gpu->gl);
 }
@@ -153,11 +147,11 @@ static bool draw_layer(struct gather *gather, struct gpu *gpu, const struct sm_s
 static int sheets_in_line(const struct edge_grid *grid)
 {
 	int most = 1;
-	for (size_t i = 0; i < (size_t)grid->tiles * grid->tiles && most < LAYERS_MAX; i++) {
+	for (size_t i = 0; i < (size_t)grid->tiles * grid->tiles && most < GATHER_LAYERS; i++) {
 		int winding = edge_tile_winding(&grid->of[i]);
 		most = winding > most ? winding : most;
 	}
-	return most < LAYERS_MAX ? most : LAYERS_MAX;
+	return most < GATHER_LAYERS ? most : GATHER_LAYERS;
 }
 
 static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
@@ -243,10 +237,10 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 	const struct light_frame *frame, struct sm_error *error)
 {
 	const struct edge_grid_options options = {
-		.tiles = 128,
+		.tiles = GATHER_TILES,
 		.map_size = (uint32_t)gather->depth.size,
 		.subpixel_bits = gather->subpixel_bits,
-		.vertices_max = VERTICES_MAX,
+		.vertices_max = GATHER_VERTICES_MAX,
 	};
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
@@ -321,9 +315,9 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 		depth_map_bind(&gather->hard, gpu, frame, program);
 		return;
 	}
-	static const enum texture_unit units[LAYERS_MAX] = {
+	static const enum texture_unit units[GATHER_LAYERS] = {
 		UNIT_FRONT_LAYER, UNIT_SECOND_LAYER, UNIT_THIRD_LAYER};
-	for (int i = 0; i < LAYERS_MAX; i++) {
+	for (int i = 0; i < GATHER_LAYERS; i++) {
 		int layer = i < gather->layer_count ? i : 0;
 		gpu_bind_texture(gpu, units[i], gather->layers[layer].texture);
 	}

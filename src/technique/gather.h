@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef TECHNIQUE_GATHER_H
+#define TECHNIQUE_GATHER_H
+
+/** What the technique and its model share (docs/gather.md). */
+
+/** Texels a side of the layers, at most: they tell how many sheets are before a receiver, and that
+ *  at their texels' centres; finer ones change nothing. */
+#define GATHER_LAYER_SIZE_MAX 512
+/** At most. */
+#define GATHER_LAYERS 3
+/** A side, where lists do not grow too long. */
+#define GATHER_TILES 128
+/** Of all lists: 1.5 MB. */
+#define GATHER_VERTICES_MAX (96 * 1024)
+
+#endif
