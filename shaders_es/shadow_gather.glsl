@@ -18,6 +18,8 @@ const int LAYERS = 3;
 const int EDGE_ROW_BITS = 10;
 // Sheets that the counters have room for; behind more nothing is lit.
 const int WINDING_MAX = 15;
+// So many leave nothing to edges.
+const int HIDDEN = 1024;
 
 float cross_of(vec2 a, vec2 b)
 {
@@ -164,12 +166,14 @@ origin origin_among(receiver r, origin middle, int tries)
 			blocking += int(counts && j != own_layer && blocks(sheets.of[j], r, off));
 		}
 		// Where all layers are before the receiver more sheets may be: of what does not cast
-		// it is taken that it lies behind all that are in line.
+		// it is taken that it lies behind all that are in line, and what does is dark where
+		// layers are drawn no further.
+		bool hidden = casts && blocking == LAYERS;
 		bool full = !casts && blocking == layer_count;
 		float rise = dot(r.slope, off);
 		from.at = full ? middle.at : off + r.s.xy;
-		from.winding = full ? middle.winding : blocking;
-		from.seen = full || !casts || strange < CERTAIN ? from.winding : before;
+		from.winding = full ? middle.winding : hidden ? HIDDEN : blocking;
+		from.seen = full || hidden || !casts || strange < CERTAIN ? from.winding : before;
 		from.depth = full ? middle.depth : r.s.z - r.noise;
 		from.own_depth = full ? 0.0 : 2.0 * r.noise + max(rise, 0.0);
 		from.slope = rise < 0.0 && !full ? r.slope : vec2(0.0);
