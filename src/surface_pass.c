@@ -274,9 +274,9 @@ static bool draw_part(struct surface_pass *pass, const struct object *object,
 	return true;
 }
 
-/* What cells know is drawn first, and the rest where that has left it out: drivers that pass over
- * hidden pixels sooner than over branches draw that sooner. A further light, which is added where
- * the depth is the same, cannot tell the two apart. */
+/* What cells know is drawn first, and the rest where that has left it out, or both by one program,
+ * as the driver has it. A further light, which is added where the depth is the same, cannot tell
+ * two passes apart. */
 static bool draw_need(struct surface_pass *pass, const struct object *object,
 	const struct tiles *tiles, enum need need, uint64_t flags, struct sm_error *error)
 {
@@ -284,7 +284,7 @@ static bool draw_need(struct surface_pass *pass, const struct object *object,
 	uint64_t needed = flags_of(pass, flags, need);
 	if (need != NEED_TECHNIQUE || pass->cells == NULL)
 		return draw_part(pass, object, tiles, need, needed, error);
-	if (!pass->first)
+	if (!pass->first || way_choose(&pass->renderer->gpu, DRIVER_BRANCH, NULL) == BRANCH_SHADER)
 		return draw_part(pass, object, tiles, need, needed | FLAG_CELLS, error);
 	uint64_t known = (needed & ~technique->surface_flags(pass->shadow)) | FLAG_CELLS;
 	return draw_part(pass, object, tiles, need, known, error) &&

@@ -18,6 +18,7 @@ static const struct {
 	{"taps", "smoothie-two-sided", 0},
 	{"taps", "pcf", 1},
 	{"moments", "vsm", 0},
+	{"branch", "gather", 0},
 };
 
 #define USERS (sizeof(users) / sizeof(users[0]))

@@ -66,6 +66,13 @@ static const struct {
 		[COPY_STORED] = {"stored", "as stored", CAP_BIT(SRGB_STORED), 0},
 		[COPY_ENCODE] = {"encode", "decoded and encoded again", 0, 0},
 	}},
+	/* Where lanes of a processor share a branch, what one of them takes all of them wait for;
+	 * blocks of pixels that a first pass has drawn are passed over whole. */
+	[DRIVER_BRANCH] = {"branch", "pixels that know visibility beside those that find it", {
+		[BRANCH_EARLY_DEPTH] = {"early-depth", "in two passes, by the depth test",
+			CAP_BIT(SOFTWARE), 0},
+		[BRANCH_SHADER] = {"shader", "in one pass, by a branch", 0, 0},
+	}},
 };
 /* clang-format on */
 

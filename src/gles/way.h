@@ -13,6 +13,7 @@ enum driver_need {
 	DRIVER_TAPS,
 	DRIVER_MOMENTS,
 	DRIVER_COPY,
+	DRIVER_BRANCH,
 	DRIVER_NEEDS,
 };
 
@@ -30,6 +31,7 @@ enum comparison_way { COMPARISON_SAMPLER, COMPARISON_GATHER, COMPARISON_FETCH };
 enum taps_way { TAPS_GATHER, TAPS_FETCH };
 enum moments_way { MOMENTS_RG32F, MOMENTS_RG32F_FETCH, MOMENTS_RGBA16F, MOMENTS_RGBA16F_FETCH };
 enum copy_way { COPY_STORED, COPY_ENCODE };
+enum branch_way { BRANCH_EARLY_DEPTH, BRANCH_SHADER };
 
 /** One way to meet a need. */
 struct driver_way {

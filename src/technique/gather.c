@@ -4,6 +4,7 @@
 #include "base/processor_time.h"
 #include "gles/raster_grid.h"
 #include "scene/edge_grid.h"
+#include "scene/penumbra.h"
 #include "technique/depth_map.h"
 #include "technique/disc_mask.h"
 
@@ -28,6 +29,7 @@ struct gather {
 	bool sparse; /* in the last frame */
 	enum sm_sampling sampling;
 	bool told; /* that edges are left out */
+	uint64_t scene; /* that the last frame was of */
 	uint32_t map_size, subpixel_bits;
 };
 
@@ -290,14 +292,23 @@ static const struct screen_grid *gather_soft_grid(const void *state)
 	return gather->point ? NULL : &gather->soft;
 }
 
+/* The widest penumbra, in pixels where the light's screen is as high as the view, from which on
+ * points of the view show most of them; and below which a light leaves that again. */
+#define WIDTH_SPARSE 16.0f
+#define WIDTH_DENSE 12.0f
+
 static bool gather_is_sparse(void *state, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct technique_view *view)
 {
 	struct gather *gather = state;
-	(void)scene;
-	(void)frame;
-	(void)view;
-	return !gather->point && gather->sampling != SM_SAMPLING_DENSE;
+	float pixels = penumbra_texels(scene, frame, view->height);
+	/* What another scene had does not count in this one. */
+	bool was_sparse = gather->sparse && gather->scene == scene->id;
+	gather->scene = scene->id;
+	gather->sparse = gather->sampling == SM_SAMPLING_DEFAULT
+				 ? pixels > (was_sparse ? WIDTH_DENSE : WIDTH_SPARSE)
+				 : gather->sampling == SM_SAMPLING_SPARSE;
+	return !gather->point && gather->sparse;
 }
 
 static size_t gather_geometry_bytes(const void *state)

@@ -168,6 +168,20 @@ static void several_lights_add_up(void **state)
 	}
 }
 
+static void either_way_of_branching_looks_the_same(void **state)
+{
+	struct rig *rig = *state;
+	rig_use_path(rig, "branch=shader");
+	fill_scene(rig);
+	parts_add_light(rig->scene, &lamp);
+	struct visibility one = draw(rig, SM_SAMPLING_SPARSE, WIDTH, HEIGHT);
+	rig_use_driver(rig, &(struct sm_driver_options){.caps = "+software"});
+	struct visibility two = draw(rig, SM_SAMPLING_SPARSE, WIDTH, HEIGHT);
+	assert_int_equal(visibility_compare(&one, &two).differing, 0);
+	visibility_finish(&one);
+	visibility_finish(&two);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -175,6 +189,7 @@ int main(void)
 		rig_test(pictures_may_be_of_any_size),
 		rig_test(a_point_has_nothing_between),
 		rig_test(several_lights_add_up),
+		rig_test(either_way_of_branching_looks_the_same),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
