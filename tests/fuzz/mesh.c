@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Any numbers for vertices, triangles, a place and a light: what geom promises holds of the mesh,
- * its silhouette and its fins.
+ * its silhouette and its fins, and what scene promises of the lists of its edges.
  *	build-fuzz/tests/fuzz/fuzz-mesh FOUND tests/fuzz/corpus/mesh
  */
 #include "../geom/facing.h"
@@ -8,6 +8,7 @@
 #include "geom/fins.h"
 #include "geom/screen_grid.h"
 #include "number.h"
+#include "scene/edge_grid.h"
 #include "scene/light.h"
 #include <math.h>
 #include <stdlib.h>
@@ -247,6 +248,62 @@ static void check_frame(const struct light_frame *frame, const struct sm_scene *
 	expect(frame->pole >= 1.0f && isfinite(frame->pole));
 }
 
+/* Chains of an edge at least, the nearest first, and nothing before what their starts say. */
+static void check_list(const struct edge_tile *tile, const struct chain_vertex *list)
+{
+	uint32_t count = edge_tile_count(tile);
+	float start = list[0].start;
+	expect(start == tile->nearest + 1.0f);
+	for (uint32_t i = 0; i < count; i++) {
+		expect(isfinite(list[i].x) && isfinite(list[i].y) && isfinite(list[i].depth));
+		if (list[i].start != 0.0f) {
+			expect(list[i].start >= start && list[i].start >= 1.0f);
+			expect(i + 1 < count && list[i + 1].start == 0.0f);
+			start = list[i].start;
+		}
+		expect(list[i].depth >= start - 1.0f);
+	}
+}
+
+static void check_edge_grid(const struct edge_grid *grid, size_t vertices_max)
+{
+	size_t sum = 0;
+	expect(grid->vertex_count <= vertices_max);
+	expect(grid->tiles >= 32 && grid->tiles <= EDGE_GRID_TILES_MAX);
+	for (size_t t = 0; t < (size_t)grid->tiles * grid->tiles; t++) {
+		const struct edge_tile *tile = &grid->of[t];
+		expect(isfinite(tile->farthest) && isfinite(tile->nearest));
+		expect(edge_tile_count(tile) > 0 || tile->nearest == 2.0f);
+		if (edge_tile_count(tile) == 0)
+			continue;
+		expect(tile->first == sum);
+		sum += edge_tile_count(tile);
+		expect(sum <= grid->vertex_count);
+		check_list(tile, &grid->vertices[tile->first]);
+	}
+	expect(sum == grid->vertex_count);
+}
+
+/* With room for all, and for few; as finely as Mesa's drivers draw, and as coarsely as may be. */
+static void check_edges(const struct sm_scene *scene)
+{
+	static const struct edge_grid_options options[] = {
+		{.tiles = 128, .map_size = 512, .subpixel_bits = 8, .vertices_max = 100000},
+		{.tiles = 64, .map_size = 3, .subpixel_bits = 1, .vertices_max = 100},
+	};
+	struct light_frame frame;
+	struct edge_grid grid = {0};
+	if (!is_moderate(scene))
+		return;
+	light_frame_fit(&frame, &scene->lights[0].desc, scene);
+	check_frame(&frame, scene);
+	for (size_t i = 0; i < sizeof(options) / sizeof(options[0]); i++) {
+		expect(edge_grid_find(&grid, scene, &frame, &options[i]));
+		check_edge_grid(&grid, options[i].vertices_max);
+	}
+	edge_grid_finish(&grid);
+}
+
 /* As the light of the scene sees the object. */
 static void see(const struct sm_scene *scene, struct fin_params *params, float origin[4])
 {
@@ -272,8 +329,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		const struct mesh *mesh = &scene->meshes[0];
 		check_mesh(mesh);
 		bool seen = subject.flags & HAS_OWN_CLIP || place(scene, &subject);
-		if (seen && !(subject.flags & HAS_OWN_CLIP))
+		if (seen && !(subject.flags & HAS_OWN_CLIP)) {
 			see(scene, &subject.params, subject.origin);
+			check_edges(scene);
+		}
 		if (seen)
 			check_shadow(&mesh->caster, subject.origin, &subject.params);
 	}
