@@ -382,6 +382,8 @@ static void gl_is_left_at_its_defaults(void **state)
 		{"smoothie", SM_NONE, 0, GL_RGBA8},
 		{"smoothie", SM_NONE, 2, GL_SRGB8_ALPHA8},
 		{"smoothie", 1, 2, GL_RGBA8},
+		{"gather", SM_NONE, 0, GL_SRGB8_ALPHA8},
+		{"auto", 1, 0, GL_RGBA8},
 		{"smoothie", SM_NONE, 0, GL_RGBA8, SM_PRECISION_HALF},
 		{"smoothie", 1, 0, GL_RGBA8, SM_PRECISION_FIXED12},
 	};
@@ -468,6 +470,8 @@ static void so_it_is_when_drawing_fails(void **state)
 	/* Depth, fins, and more than one kind of surface, of two shaders each. */
 	assert_true(spoil_one_by_one(rig, "smoothie") >= 6);
 	assert_true(spoil_one_by_one(rig, "smoothie-two-sided") >= 6);
+	/* A layer, the one behind it and surfaces. */
+	assert_true(spoil_one_by_one(rig, "gather") >= 6);
 	if (rig_can_draw("vsm"))
 		assert_true(spoil_one_by_one(rig, "vsm") >= 6);
 }

@@ -48,6 +48,8 @@ static void draw_all_ways(struct rig *rig, const struct sm_camera *camera)
 		{.technique = "smoothie", .passes = 2},
 		{.technique = "smoothie-two-sided"},
 		{.technique = "penumbra-map"},
+		{.technique = "gather"},
+		{.technique = "auto"},
 		{.technique = "pcf", .samples = 16},
 		{.technique = "pcss", .samples = 32},
 		{.technique = "vsm"},
