@@ -6,7 +6,7 @@ uniform vec2 cell_depth;  // see sparse_cells.frag
 // Whether the pixel is of its cell's surface; v is the visibility then.
 bool is_between_points(out float v)
 {
-	vec2 at = gl_FragCoord.xy * cell_scale + 0.5, f = fract(at);
+	vec2 at = gl_FragCoord.xy * cell_scale + 1.0, f = fract(at);
 	cell c = unpack_cell(texelFetch(cell_map, ivec2(at), 0));
 	float depth = c.depth + c.depth_x * f.x + c.depth_y * f.y;
 	vec2 row = mix(c.v.xz, c.v.yw, f.x);

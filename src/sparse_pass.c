@@ -9,7 +9,8 @@
 /* Frames after which what is not drawn into is given back: a light that wavers does so in less. */
 #define IDLE_FRAMES_MAX 600
 
-/* The view with a point more on each side. */
+/* The view's points: at corners of blocks of pixels, since drivers leave out whole blocks, and one
+ * more beyond on each side. */
 static void widen_view(const struct surface_pass *view, uint32_t columns, uint32_t rows, mat4 wide)
 {
 	const float size[2] = {(float)view->width, (float)view->height};
@@ -17,7 +18,7 @@ static void widen_view(const struct surface_pass *view, uint32_t columns, uint32
 	glm_mat4_copy(view->world_to_clip, wide);
 	for (int axis = 0; axis < 2; axis++) {
 		float scale = size[axis] / (SPARSE_SPACING * points[axis]);
-		float shift = scale + 2.0f / points[axis] - 1.0f;
+		float shift = scale + 3.0f / points[axis] - 1.0f;
 		for (int column = 0; column < 4; column++)
 			wide[column][axis] = scale * wide[column][axis] + shift * wide[column][3];
 	}
@@ -45,8 +46,8 @@ static bool draw_points(const struct surface_pass *view, struct sm_error *error)
 	struct gl *gl = &view->renderer->gpu.gl;
 	struct surface_pass pass = *view;
 	mat4 wide;
-	pass.width = (view->width + SPARSE_SPACING - 1) / SPARSE_SPACING + 2;
-	pass.height = (view->height + SPARSE_SPACING - 1) / SPARSE_SPACING + 2;
+	pass.width = (view->width + SPARSE_SPACING - 1) / SPARSE_SPACING + 3;
+	pass.height = (view->height + SPARSE_SPACING - 1) / SPARSE_SPACING + 3;
 	pass.flags = FLAG_VISIBILITY | FLAG_POINTS;
 	pass.first = true;
 	pass.multisampled = false;
