@@ -13,13 +13,14 @@ const float FLAT = 0.02;
 
 struct point {
 	float depth, v;
-	bool wide; // no penumbra that is narrow for the points' spacing is near
+	float wide; // 1: no penumbra that is narrow for the points' spacing is near; zink has no arrays of
+		    // structures with a bool
 };
 
 point point_at(ivec2 texel)
 {
 	uvec2 p = texelFetch(point_map, clamp(texel, ivec2(0), textureSize(point_map, 0) - 1), 0).xy;
-	return point(uintBitsToFloat(p.x), float(p.y & 0xffffu) / 65535.0, p.y >> 16 != 0u);
+	return point(uintBitsToFloat(p.x), float(p.y & 0xffffu) / 65535.0, float(p.y >> 16 != 0u));
 }
 
 // What v bends by between p and q, from the points beyond them on one line.
@@ -66,7 +67,7 @@ void main()
 		off_corners = across || up ? off_corners : max(off_corners, off);
 		off_around = across && up ? off_around : max(off_around, off);
 	}
-	bool whole = off_corners < tolerance && p[5].wide && p[6].wide && p[9].wide && p[10].wide;
+	bool whole = off_corners < tolerance && p[5].wide * p[6].wide * p[9].wide * p[10].wide > 0.0;
 	// The surface goes on at the points beyond, so that they tell how visibility bends.
 	bool around = off_around < 4.0 * tolerance;
 	vec2 bend = 0.5 * vec2(bend_of(p[4], p[5], p[6], p[7]) + bend_of(p[8], p[9], p[10], p[11]),
