@@ -29,7 +29,9 @@ float cross_of(vec2 a, vec2 b)
 #ifdef POINTS
 // A penumbra at least this many times as wide, from its middle, as points are apart shows in them.
 const float WIDTH_SHOWN = 1.25;
-// Whether a penumbra near the point does not.
+// Where this many edges meet, what samples of the disc miss would show as blotches.
+const int MOST_HITS = 32;
+// Whether visibility between the point and the next ones does not show in them.
 bool narrow_penumbra = false;
 #endif
 
@@ -326,6 +328,9 @@ float gathered_visibility(vec3 p)
 	sums sum = walk(r, from, first, any_before ? first + edges : first);
 	if (!inside)
 		return 1.0;
+#ifdef POINTS
+	narrow_penumbra = narrow_penumbra || sum.hits > MOST_HITS;
+#endif
 	sum.winding = max(sum.winding + (sum.own > 0 ? from.seen : from.winding), 0);
 	float covered = float(sum.winding) - sum.behind / TURN;
 	// Only edges leave a part of the disc.
