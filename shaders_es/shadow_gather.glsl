@@ -96,17 +96,17 @@ float noise_of(sheet sheet, receiver r)
 
 // Whether the plane of a sheet, of the texel that is `off` from the receiver, is before that, which
 // leaves a floor beside a wall lit.
-bool is_before(sheet sheet, receiver r, vec2 off)
+bool is_before(sheet sheet, receiver r, vec2 off, float noise)
 {
-	return sheet.depth - dot(sheet.slope, off) + noise_of(sheet, r) < r.s.z;
+	return sheet.depth - dot(sheet.slope, off) + noise < r.s.z;
 }
 
 // Whether the sheet itself is before the receiver's plane there as well, which leaves a curved
 // surface lit.
-bool blocks(sheet sheet, receiver r, vec2 off)
+bool blocks(sheet sheet, receiver r, vec2 off, float noise)
 {
-	return is_before(sheet, r, off) &&
-		sheet.depth + noise_of(sheet, r) < r.s.z + dot(r.slope, off);
+	return is_before(sheet, r, off, noise) &&
+		sheet.depth + noise < r.s.z + dot(r.slope, off);
 }
 
 // How far the sheet is from the receiver's plane, where from 1 on it is another surface than the
@@ -150,7 +150,7 @@ origin origin_among(receiver r, origin middle, int tries)
 		vec2 off = (texel + 0.5) * map_size.y - r.s.xy;
 		sheets sheets = sheets_at(ivec2(texel));
 		float strange = 2.0;
-		int own_layer = LAYERS;
+		int own_layer = -1;
 		for (int j = 0; j < LAYERS; j++) {
 			float found = strangeness(sheets.of[j], r, off);
 			bool nearer = casts && j < layer_count && found < strange;
@@ -164,8 +164,11 @@ origin origin_among(receiver r, origin middle, int tries)
 		int blocking = 0, before = 0;
 		for (int j = 0; j < LAYERS; j++) {
 			bool counts = j < layer_count;
-			before += int(counts && is_before(sheets.of[j], r, off));
-			blocking += int(counts && j != own_layer && blocks(sheets.of[j], r, off));
+			// Of sheets that all but lie on each other the layers tell the order.
+			float noise = j < own_layer ? r.noise : noise_of(sheets.of[j], r);
+			before += int(counts && is_before(sheets.of[j], r, off, noise));
+			blocking += int(counts && j != own_layer &&
+				blocks(sheets.of[j], r, off, noise));
 		}
 		// Where all layers are before the receiver more sheets may be: of what does not cast
 		// it is taken that it lies behind all that are in line, and what does is dark where

@@ -174,13 +174,13 @@ static double bend(const struct gather *gather, const struct eye *eye, const str
 /* Which layer the receiver's own sheet is, and at which texel. */
 struct own {
 	struct texel texel;
-	int layer;   /* GATHER_LAYERS: not found */
+	int layer;   /* -1: not found */
 	double bent; /* as bend() */
 };
 
 static struct own find_own(const struct gather *gather, const struct eye *eye)
 {
-	struct own own = {near_texel(gather, eye, 0), GATHER_LAYERS, 1.0 + BEND_GAIN};
+	struct own own = {near_texel(gather, eye, 0), -1, 1.0 + BEND_GAIN};
 	if (!eye->receiver->casts)
 		return own;
 	for (int rank = 0; rank < 4 && own.bent >= BEND_NONE; rank++) {
@@ -221,7 +221,10 @@ static struct origin origin_of_layers(
 		.slope = {receiver->slope[0], receiver->slope[1]}};
 	for (int i = 0; i < GATHER_LAYERS; i++) {
 		const struct sheet *sheet = &gather->layers.of[i][own.texel.index];
-		double noise = eye->noise + gather->snap * length_1(sheet->slope);
+		/* Of sheets that all but lie on each other the layers tell the order. */
+		double noise = eye->noise;
+		if (i >= own.layer)
+			noise += gather->snap * length_1(sheet->slope);
 		bool before = plane_blocks(eye, &own.texel, sheet, noise);
 		origin.winding_beside += before;
 		origin.winding +=
