@@ -23,6 +23,14 @@ enum {
 	WAY,
 };
 
+/* As the model finds visibility: for each pixel. */
+static enum sm_sampling sampling_of(size_t technique)
+{
+	const char *name = sm_technique_name(technique);
+	bool takes = strcmp(name, "gather") == 0 || strcmp(name, "auto") == 0;
+	return takes ? SM_SAMPLING_DENSE : SM_SAMPLING_DEFAULT;
+}
+
 static struct sm_shadow_options options_of(
 	const struct check_case *item, const struct check_context *context)
 {
@@ -31,6 +39,7 @@ static struct sm_shadow_options options_of(
 		.technique = sm_technique_name(technique),
 		.samples = sm_technique_samples(technique, item->choice[SAMPLES]),
 		.map_size = context->map,
+		.sampling = sampling_of(technique),
 	};
 }
 
@@ -209,6 +218,7 @@ static void run_exact(
 	context->map = PINNED_MAP;
 	struct subject subject = {.options = options_of(item, context)};
 	subject.options.technique = "smoothie";
+	subject.options.sampling = SM_SAMPLING_DEFAULT;
 	subject.options.precision = *(const enum sm_precision *)item->subject;
 	subject.renderer = make_renderer(item, context, &error);
 	bool drawn = subject.renderer != NULL && subject_init(&subject, item, context, &error);

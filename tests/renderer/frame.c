@@ -470,7 +470,7 @@ static void so_it_is_when_drawing_fails(void **state)
 	/* Depth, fins, and more than one kind of surface, of two shaders each. */
 	assert_true(spoil_one_by_one(rig, "smoothie") >= 6);
 	assert_true(spoil_one_by_one(rig, "smoothie-two-sided") >= 6);
-	/* A layer, the one behind it and surfaces. */
+	/* A layer, those behind it, surfaces, and points that are joined to cells. */
 	assert_true(spoil_one_by_one(rig, "gather") >= 6);
 	if (rig_can_draw("vsm"))
 		assert_true(spoil_one_by_one(rig, "vsm") >= 6);

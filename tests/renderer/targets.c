@@ -116,9 +116,11 @@ static void what_could_not_be_made_is_made_later(void **state)
 		{NULL, {.technique = "smoothie-two-sided"}, 4},
 		{NULL, {.technique = "vsm"}, 4},
 		{NULL, {.technique = "maps", .samples = 4}, 1},
-		/* Two layers and their depths; one to find the raster grid can be missed. */
-		{NULL, {.technique = "gather"}, 3},
-		{NULL, {.technique = "auto"}, 3},
+		/* A layer and its depths; one to find the raster grid by can be missed. */
+		{NULL, {.technique = "gather", .sampling = SM_SAMPLING_DENSE}, 2},
+		/* Points of the view as well, and cells. */
+		{NULL, {.technique = "gather", .sampling = SM_SAMPLING_SPARSE}, 4},
+		{NULL, {.technique = "auto", .sampling = SM_SAMPLING_SPARSE}, 4},
 		/* Two shadow maps, two passes of smoothies, the picture. */
 		{NULL, {.precision = SM_PRECISION_HALF}, 5},
 		{NULL, {.precision = SM_PRECISION_FIXED12}, 5},
