@@ -3,7 +3,7 @@
 #include "gles/target.h"
 
 /* Texels a side of what is drawn. */
-#define SIDE 16
+#define SIDE 32
 /* The texel in whose middle left edges are tried. */
 #define TRIED (SIDE / 2)
 /* Each number of bits below the most is tried on both sides of the middle. */
