@@ -10,7 +10,7 @@ bool is_between_points(out float v)
 	cell c = unpack_cell(texelFetch(cell_map, ivec2(at), 0));
 	float depth = c.depth + c.depth_x * f.x + c.depth_y * f.y;
 	vec2 row = mix(c.v.xz, c.v.yw, f.x);
-	v = mix(row.x, row.y, f.y) - 0.5 * dot(c.bend, f * (1.0 - f));
+	v = clamp(mix(row.x, row.y, f.y) - 0.5 * dot(c.bend, f * (1.0 - f)), 0.0, 1.0);
 	return abs(gl_FragCoord.z - depth) < cell_depth.x + cell_depth.y * depth;
 }
 

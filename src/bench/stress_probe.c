@@ -30,6 +30,9 @@ void stress_picture_finish(struct stress_picture *picture)
 	*picture = (struct stress_picture){0};
 }
 
+/* Where the part of surface.frag begins that writes visibility. */
+static const char visibility_part[] = "bool faces_light()";
+
 /* What surface.frag writes as visibility, and what it writes instead, to floats: red is what was
  * not clamped, green and blue are the bytes. */
 static const struct {
@@ -46,10 +49,11 @@ static const struct {
 static sm_get_proc real_get_proc;
 static bool edits_missing, edits_made;
 
-/* A copy of the text with one edit, or NULL where there is nothing to edit. */
+/* A copy of the text with one edit in that part, or NULL where there is nothing to edit. */
 static char *edit_text(const char *text, const char *from, const char *to)
 {
-	const char *place = strstr(text, from);
+	const char *part = strstr(text, visibility_part);
+	const char *place = part != NULL ? strstr(part, from) : NULL;
 	if (place == NULL)
 		return NULL;
 	size_t before = (size_t)(place - text), size = strlen(text) + strlen(to) + 1;
@@ -63,7 +67,7 @@ static char *edit_text(const char *text, const char *from, const char *to)
 static char *edit_surface(const char *text)
 {
 	char *edited = NULL;
-	if (strstr(text, "bool faces_light()") == NULL)
+	if (strstr(text, visibility_part) == NULL)
 		return NULL;
 	for (size_t i = 0; i < sizeof(edits) / sizeof(edits[0]); i++) {
 		char *next = edit_text(i == 0 ? text : edited, edits[i].from, edits[i].to);
