@@ -10,6 +10,7 @@ uniform int layer_count; // what more there would be is empty
 uniform float tile_count;  // a side
 uniform float disc_scale;  // radius of the disc, window x or y, over the depth before the receiver
 uniform float pole;        // K, see scene/light.h
+uniform float depth_noise; // of vertices far from their origin, whose floats are coarse
 uniform float snap;        // by how much points of edges and sheets are moved, window x or y
 uniform bool casts;        // the receiver, as well
 uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
@@ -52,7 +53,7 @@ receiver receiver_at(vec3 s)
 	vec2 e = (s.xy - 0.5) * disc_facing;
 	float square = 1.0 + dot(e, e), root = sqrt(square);
 	vec2 slope = receiver_slope(s);
-	float noise = DEPTH_STEP + snap * (abs(slope.x) + abs(slope.y));
+	float noise = max(DEPTH_STEP, depth_noise) + snap * (abs(slope.x) + abs(slope.y));
 	vec2 tilt = e * (disc_facing * (pole - s.z) / square);
 	float spacing = max(length(dFdx(s.xy)), length(dFdy(s.xy)));
 	return receiver(s, slope, noise, e, tilt, 1.0 / (square + root), 1.0 / root, spacing);

@@ -7,6 +7,8 @@
 #include "scene/penumbra.h"
 #include "technique/depth_map.h"
 #include "technique/disc_mask.h"
+#include <float.h>
+#include <math.h>
 
 /* Vertices in a row of their texture; as in shadow_gather.glsl. */
 #define EDGE_ROW 1024
@@ -28,7 +30,8 @@ struct gather {
 	bool point;
 	bool sparse; /* in the last frame */
 	enum sm_sampling sampling;
-	bool told; /* that edges are left out */
+	float depth_noise;
+	bool told;      /* that edges are left out */
 	uint64_t scene; /* that the last frame was of */
 	uint32_t map_size, subpixel_bits;
 };
@@ -263,11 +266,34 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 	return found || error_no_memory(error);
 }
 
+/* Roundings on a vertex's way to its depth, steps of a float in all. */
+#define DEPTH_ROUNDINGS 4.0f
+
+/* How far the depths may be apart that two passes find of a caster's place: what its vertices are
+ * away from where they are counted from, rounded. Window depth, as if that were linear. */
+static float find_depth_noise(const struct sm_scene *scene, const struct light_frame *frame)
+{
+	float most = 0.0f;
+	for (size_t i = 0; i < scene->object_count; i++) {
+		const struct object *object = &scene->objects[i];
+		const struct mesh *mesh = &scene->meshes[object->mesh];
+		for (int row = 0; row < 3 && object->casts; row++) {
+			float reach = 0.0f;
+			for (int axis = 0; axis < 3; axis++)
+				reach += fabsf(object->transform[axis][row]) *
+					 fmaxf(fabsf(mesh->min[axis]), fabsf(mesh->max[axis]));
+			most = fmaxf(most, reach);
+		}
+	}
+	return DEPTH_ROUNDINGS * FLT_EPSILON * most / (frame->far - frame->near);
+}
+
 static bool gather_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct gather *gather = state;
 	gather->point = frame->disc == 0.0f;
+	gather->depth_noise = find_depth_noise(scene, frame);
 	if (!gather->point)
 		return find_edges(gather, gpu, scene, frame, error) &&
 		       draw_layers(gather, gpu, scene, frame, error);
@@ -339,6 +365,7 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 	depth_map_set_receiver(gpu, gather->depth.size, DEPTH_MAP_NEAREST, frame, program);
 	gl->Uniform1f(program->uniform.disc_scale, disc_scale(frame));
 	gl->Uniform1f(program->uniform.pole, frame->pole);
+	gl->Uniform1f(program->uniform.depth_noise, gather->depth_noise);
 	gl->Uniform1f(program->uniform.snap,
 		0.5f / ((float)gather->depth.size * (float)(1u << gather->subpixel_bits)));
 	gl->Uniform1f(
