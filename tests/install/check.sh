@@ -46,5 +46,5 @@ tail -c +16 "$copy/picture.ppm" | od -An -v -tu1 -w3 | awk '
 	END {
 		printf "pixels: blocker %d, shadow %d, penumbra %d, lit %d\n",
 			blocker, shadow, penumbra, lit
-		exit !(blocker > 5000 && shadow > 4000 && penumbra > 300 && lit > 50000)
+		exit !(blocker > 5000 && shadow > 2000 && penumbra > 1000 && lit > 50000)
 	}'
