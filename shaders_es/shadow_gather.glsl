@@ -31,7 +31,7 @@ float cross_of(vec2 a, vec2 b)
 // A penumbra at least this many times as wide, from its middle, as points are apart shows in them.
 const float WIDTH_SHOWN = 1.25;
 // Where this many edges meet, what samples of the disc miss would show as blotches.
-const int MOST_HITS = 32;
+const int MOST_HITS = 64;
 // Whether visibility between the point and the next ones does not show in them.
 bool narrow_penumbra = false;
 #endif

@@ -319,9 +319,12 @@ static const struct screen_grid *gather_soft_grid(const void *state)
 }
 
 /* The widest penumbra, in pixels where the light's screen is as high as the view, from which on
- * points of the view show most of them; and below which a light leaves that again. */
-#define WIDTH_SPARSE 16.0f
-#define WIDTH_DENSE 12.0f
+ * points of the view cost less: measured on scenes of few sheets in line, and of as many as there
+ * are layers, where more pixels lie at a surface's edge or near a contact. A light leaves that
+ * again below a share of it. */
+#define WIDTH_SPARSE 56.0f
+#define WIDTH_SPARSE_DEEP 100.0f
+#define WIDTH_KEPT 0.8f
 
 static bool gather_is_sparse(void *state, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct technique_view *view)
@@ -330,9 +333,10 @@ static bool gather_is_sparse(void *state, const struct sm_scene *scene,
 	float pixels = penumbra_texels(scene, frame, view->height);
 	/* What another scene had does not count in this one. */
 	bool was_sparse = gather->sparse && gather->scene == scene->id;
+	float enough = gather->layer_count < GATHER_LAYERS ? WIDTH_SPARSE : WIDTH_SPARSE_DEEP;
 	gather->scene = scene->id;
 	gather->sparse = gather->sampling == SM_SAMPLING_DEFAULT
-				 ? pixels > (was_sparse ? WIDTH_DENSE : WIDTH_SPARSE)
+				 ? pixels > (was_sparse ? WIDTH_KEPT * enough : enough)
 				 : gather->sampling == SM_SAMPLING_SPARSE;
 	return !gather->point && gather->sparse;
 }
