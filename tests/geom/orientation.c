@@ -82,7 +82,8 @@ static struct model cube_with_fin(void)
 	struct model model = model_cube();
 	float(*positions)[3] = realloc(model.positions, 9 * sizeof(*positions));
 	uint32_t *indices = realloc(model.indices, 39 * sizeof(*indices));
-	assert_true(positions != NULL && indices != NULL);
+	if (positions == NULL || indices == NULL)
+		abort();
 	memcpy(positions[8], (float[3]){3, 3, 0}, sizeof(positions[8]));
 	memmove(&indices[3], indices, 36 * sizeof(*indices));
 	memcpy(indices, (uint32_t[3]){3, 8, 7}, 3 * sizeof(*indices));
