@@ -326,6 +326,10 @@ static const struct screen_grid *gather_soft_grid(const void *state)
 #define WIDTH_SPARSE_DEEP 100.0f
 #define WIDTH_KEPT 0.8f
 
+/* Bits of the raster grid below which no light chooses that: points lie four pixels apart, so that
+ * its steps, to which surfaces are moved, are of four times as many pixels there. */
+#define SPARSE_BITS 6
+
 static bool gather_is_sparse(void *state, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct technique_view *view)
 {
@@ -336,7 +340,8 @@ static bool gather_is_sparse(void *state, const struct sm_scene *scene,
 	float enough = gather->layer_count < GATHER_LAYERS ? WIDTH_SPARSE : WIDTH_SPARSE_DEEP;
 	gather->scene = scene->id;
 	gather->sparse = gather->sampling == SM_SAMPLING_DEFAULT
-				 ? pixels > (was_sparse ? WIDTH_KEPT * enough : enough)
+				 ? gather->subpixel_bits >= SPARSE_BITS &&
+					   pixels > (was_sparse ? WIDTH_KEPT * enough : enough)
 				 : gather->sampling == SM_SAMPLING_SPARSE;
 	return !gather->point && gather->sparse;
 }
