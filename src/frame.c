@@ -74,8 +74,9 @@ static bool draw_shadows(
 	if (!array_reserve((void **)&renderer->lights, &renderer->light_capacity, last - first,
 		    sizeof(*renderer->lights)))
 		return error_no_memory(error);
-	memset(renderer->lights + known, 0,
-		(renderer->light_capacity - known) * sizeof(*renderer->lights));
+	if (known < renderer->light_capacity)
+		memset(renderer->lights + known, 0,
+			(renderer->light_capacity - known) * sizeof(*renderer->lights));
 	for (uint32_t i = 0; i < last - first; i++) {
 		struct shadowed_light *light = &renderer->lights[i];
 		(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
