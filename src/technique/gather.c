@@ -180,7 +180,9 @@ static void upload_vertices(struct gather *gather, struct gpu *gpu)
 	GLsizei rest = (GLsizei)(grid->vertex_count % EDGE_ROW);
 	gl->BindTexture(GL_TEXTURE_2D, gather->vertices);
 	if (rows > gather->rows) {
-		gather->rows = rows + rows / 2;
+		/* A whole number of rows. */
+		GLsizei most = GATHER_VERTICES_MAX / EDGE_ROW;
+		gather->rows = rows + rows / 2 < most ? rows + rows / 2 : most;
 		gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, EDGE_ROW, gather->rows, 0, GL_RGBA,
 			GL_FLOAT, NULL);
 	}
