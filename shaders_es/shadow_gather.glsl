@@ -180,7 +180,8 @@ origin origin_among(receiver r, origin middle, int tries)
 		from.at = full ? middle.at : off + r.s.xy;
 		from.winding = full ? middle.winding : hidden ? HIDDEN : blocking;
 		from.seen = full || hidden || !casts || strange < CERTAIN ? from.winding : before;
-		from.depth = full ? middle.depth : r.s.z - r.noise;
+		// Before all edges: none is looked at.
+		from.depth = full ? middle.depth : hidden ? -1.0 : r.s.z - r.noise;
 		from.own_depth = full ? 0.0 : 2.0 * r.noise + max(rise, 0.0);
 		from.slope = rise < 0.0 && !full ? r.slope : vec2(0.0);
 	}
