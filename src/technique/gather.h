@@ -5,9 +5,9 @@
 /** What the technique and its model share (docs/gather.md). */
 
 /** Texels a side of the layers, at most: they tell how many sheets are before a receiver, and that
- *  at their texels' centres; finer ones change nothing. With all that a light has on the GPU they
- *  take less than 8 MiB. */
-#define GATHER_LAYER_SIZE_MAX 448
+ *  at their texels' centres; finer ones change nothing. A power of two, so that points of the raster
+ *  grid are floats: else a winding number may be off where an edge runs through a texel's centre. */
+#define GATHER_LAYER_SIZE_MAX 512
 /** At most. */
 #define GATHER_LAYERS 3
 /** A side, where lists do not grow too long. */

@@ -147,11 +147,12 @@ static const struct study penumbra_map = {
 	.outside_wrong = {20, 28, 1084, 65, 324, 521},
 };
 
-/* The study knew two layers of sheets, and no way to tell a caster's own sheet. */
+/* The study knew two layers of sheets, and no way to tell a caster's own sheet. Its rays start a
+ * little above surfaces: by a reference that does without, the urchin has one pixel less. */
 static const struct study gather = {
 	.technique = "shadow.technique=gather",
 	.means = {0.014, 0.013, 0.027},
-	.outside_wrong = {20, 20, 20, 20, 20, 20},
+	.outside_wrong = {20, 20, 20, 20, 21, 20},
 	.or_better = true,
 };
 
