@@ -29,7 +29,6 @@ float bend_of(point before, point p, point q, point after)
 	return 0.5 * (before.v - p.v - q.v + after.v);
 }
 
-
 // The point itself, and what it changes by over the cell in x and y.
 vec3 plane_through(point p[16])
 {

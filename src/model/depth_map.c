@@ -39,24 +39,32 @@ static bool is_drawn(const struct object *object, enum model_content content)
 	return content == MODEL_CASTERS ? object->casts : object->receives && !object->casts;
 }
 
-static bool draw_object(struct model_map *map, const struct mesh *mesh, const struct object *object,
-	const struct light_frame *frame, struct raster_area area, raster_fragment keep)
+bool model_draw_caster(const struct caster *caster, size_t first, size_t end, mat4 to_clip,
+	const struct raster_area *area, raster_fragment keep, void *data)
 {
-	const struct caster *caster = &mesh->caster;
-	mat4 to_clip;
-	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
-	area.kept = kept_faces(mesh, object, to_clip, false);
+	if (first == end)
+		return true;
 	double(*corners)[4] =
 		transform_all(to_clip, (const float(*)[3])caster->positions, caster->vertex_count);
 	if (corners == NULL)
 		return false;
-	for (size_t i = 0; i < caster->triangle_count; i++) {
+	for (size_t i = first; i < end; i++) {
 		double triangle[3][4];
 		pick_corners((const double(*)[4])corners, &caster->indices[3 * i], triangle);
-		raster_draw(&area, (const double(*)[4])triangle, keep, map);
+		raster_draw(area, (const double(*)[4])triangle, keep, data);
 	}
 	free(corners);
 	return true;
+}
+
+static bool draw_object(struct model_map *map, const struct mesh *mesh, const struct object *object,
+	const struct light_frame *frame, struct raster_area area, raster_fragment keep)
+{
+	mat4 to_clip;
+	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
+	area.kept = kept_faces(mesh, object, to_clip, false);
+	return model_draw_caster(
+		&mesh->caster, 0, mesh->caster.triangle_count, to_clip, &area, keep, map);
 }
 
 bool model_map_init_from(struct model_map *map, const struct model_light *light,

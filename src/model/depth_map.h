@@ -18,6 +18,10 @@ enum model_content {
 	MODEL_FARTHEST_RECEIVERS, /* of those that do not cast */
 };
 
+/** Draws triangles first .. end - 1 of a caster. False: out of memory. */
+bool model_draw_caster(const struct caster *caster, size_t first, size_t end, mat4 to_clip,
+	const struct raster_area *area, raster_fragment keep, void *data);
+
 /** Nearest steps of a depth buffer of 24 bits. */
 float model_round_depth(double depth);
 

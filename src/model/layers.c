@@ -3,7 +3,6 @@
 #include "base/array.h"
 #include "model/depth_map.h"
 #include "model/receiver.h"
-#include "model/transform.h"
 #include <stdlib.h>
 
 #define NOWHERE 2.0f
@@ -33,24 +32,16 @@ static bool draw_sheets(
 {
 	const struct mesh *mesh = &light->scene->meshes[object->mesh];
 	const struct caster *caster = &mesh->caster;
-	struct raster_area area = model_map_area(light);
+	struct raster_area one_sided = model_map_area(light), both = one_sided;
 	mat4 to_clip;
 	glm_mat4_mul((vec4 *)light->frame.world_to_clip, (vec4 *)object->transform, to_clip);
 	struct sheet_rule rule = mesh_sheet_rule(mesh, (vec4 *)object->transform, to_clip);
-	double(*corners)[4] =
-		transform_all(to_clip, (const float(*)[3])caster->positions, caster->vertex_count);
-	if (corners == NULL)
-		return false;
-	for (size_t i = 0; i < caster->triangle_count; i++) {
-		double triangle[3][4];
-		area.kept = i >= rule.one_sided ? RASTER_ALL
-			    : rule.mirrored     ? RASTER_BACK
-						: RASTER_FRONT;
-		pick_corners((const double(*)[4])corners, &caster->indices[3 * i], triangle);
-		raster_draw(&area, (const double(*)[4])triangle, keep_sheet, layering);
-	}
-	free(corners);
-	return true;
+	one_sided.kept = rule.mirrored ? RASTER_BACK : RASTER_FRONT;
+	both.kept = RASTER_ALL;
+	return model_draw_caster(
+		       caster, 0, rule.one_sided, to_clip, &one_sided, keep_sheet, layering) &&
+	       model_draw_caster(caster, rule.one_sided, caster->triangle_count, to_clip, &both,
+		       keep_sheet, layering);
 }
 
 static bool draw_layer(struct layers *layers, const struct model_light *light, int layer)

@@ -5,8 +5,9 @@
 /** What the technique and its model share (docs/gather.md). */
 
 /** Texels a side of the layers, at most: they tell how many sheets are before a receiver, and that
- *  at their texels' centres; finer ones change nothing. A power of two, so that points of the raster
- *  grid are floats: else a winding number may be off where an edge runs through a texel's centre. */
+ *  at their texels' centres; finer ones change nothing. A power of two, so that points of the
+ * raster grid are floats: else a winding number may be off where an edge runs through a texel's
+ * centre. */
 #define GATHER_LAYER_SIZE_MAX 512
 /** At most. */
 #define GATHER_LAYERS 3
