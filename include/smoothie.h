@@ -264,7 +264,7 @@ struct sm_shadow_options {
 	uint32_t map_size; /**< texels a side of the shadow map, 1 to the driver's limit; up to 2
 				show no shadow, since border texels stay clear, but with
 				"gather", which looks up no more than what casts itself, and
-				uses at most 512; default 1024 */
+				uses a power of two up to 512; default 1024 */
 	float width;       /**< smoothie: t of the paper, the fins' width as a share of the
 				light's screen, (0, 1]; default: from the light's radius */
 	enum sm_falloff falloff; /**< smoothie, penumbra-map: default linear */

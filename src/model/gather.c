@@ -41,8 +41,7 @@ static bool init(void *state, const struct model_light *light, struct sm_error *
 	gather->light = *light;
 	if (light->frame.disc == 0.0f)
 		return init_point(gather, light, error);
-	if (gather->light.size > GATHER_LAYER_SIZE_MAX)
-		gather->light.size = GATHER_LAYER_SIZE_MAX;
+	gather->light.size = (int)gather_layer_size((uint32_t)gather->light.size);
 	const struct edge_grid_options options = {
 		.tiles = GATHER_TILES,
 		.map_size = (uint32_t)gather->light.size,

@@ -65,8 +65,7 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 	gather->subpixel_bits = raster_grid_bits(gpu);
 	gather->map_size = options->map_size;
 	gather->sampling = options->sampling;
-	GLsizei size = options->map_size < GATHER_LAYER_SIZE_MAX ? (GLsizei)options->map_size
-								 : GATHER_LAYER_SIZE_MAX;
+	GLsizei size = (GLsizei)gather_layer_size(options->map_size);
 	if (!target_init(
 		    &gather->depth, gl, size, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
 		return false;

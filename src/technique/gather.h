@@ -2,12 +2,12 @@
 #ifndef TECHNIQUE_GATHER_H
 #define TECHNIQUE_GATHER_H
 
+#include <stdint.h>
+
 /** What the technique and its model share (docs/gather.md). */
 
 /** Texels a side of the layers, at most: they tell how many sheets are before a receiver, and that
- *  at their texels' centres; finer ones change nothing. A power of two, so that points of the
- * raster grid are floats: else a winding number may be off where an edge runs through a texel's
- * centre. */
+ *  at their texels' centres; finer ones change nothing. */
 #define GATHER_LAYER_SIZE_MAX 512
 /** At most. */
 #define GATHER_LAYERS 3
@@ -15,5 +15,16 @@
 #define GATHER_TILES 128
 /** Of all lists: 1.5 MB. */
 #define GATHER_VERTICES_MAX (96 * 1024)
+
+/** Texels a side of the layers, for a map of map_size >= 1: a power of two, so that points of the
+ *  raster grid are floats. Else a winding number may be off where an edge runs through a texel's
+ *  centre. */
+static inline uint32_t gather_layer_size(uint32_t map_size)
+{
+	uint32_t size = GATHER_LAYER_SIZE_MAX;
+	while (size > map_size)
+		size /= 2;
+	return size;
+}
 
 #endif
