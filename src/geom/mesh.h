@@ -21,6 +21,7 @@ struct mesh {
 
 	float min[3], max[3]; /* box around the vertices in use */
 	struct sm_mesh_stats stats;
+	uint64_t version; /* of positions and normals, the scene's, which sets it */
 };
 
 /**

@@ -15,12 +15,18 @@ struct sm_scene *sm_scene_create(void)
 	if (scene == NULL)
 		return NULL;
 	scene->id = atomic_fetch_add(&last_id, 1) + 1;
+	scene->version = 1;
 	scene->environment = (struct sm_environment){
 		.sky = {0.12f, 0.13f, 0.15f},
 		.ground = {0.06f, 0.06f, 0.06f},
 		.background = {0.35f, 0.38f, 0.42f},
 	};
 	return scene;
+}
+
+uint64_t scene_next_version(struct sm_scene *scene)
+{
+	return ++scene->version;
 }
 
 void sm_scene_destroy(struct sm_scene *scene)
@@ -78,6 +84,7 @@ bool sm_scene_add_mesh(struct sm_scene *scene, const struct sm_mesh_desc *desc, 
 		return false;
 	if (!mesh_init(&scene->meshes[scene->mesh_count], desc, error))
 		return false;
+	scene->meshes[scene->mesh_count].version = scene_next_version(scene);
 	*mesh = (uint32_t)scene->mesh_count++;
 	return true;
 }
@@ -124,15 +131,19 @@ static bool transform_is_valid(const float transform[16])
 	       transform[11] == 0.0f && transform[15] == 1.0f;
 }
 
-static bool object_set_transform(const struct sm_scene *scene, struct object *object,
+static bool object_set_transform(struct sm_scene *scene, struct object *object,
 	const float transform[16], struct sm_error *error)
 {
 	if (!transform_is_valid(transform))
 		return error_set(error, SM_ERROR_INPUT,
 			"object %s: its transform is not finite and affine",
 			object->name != NULL ? object->name : "without a name");
+	if (object->version > 0 &&
+		memcmp(object->transform, transform, sizeof(object->transform)) == 0)
+		return true;
 	memcpy(object->transform, transform, sizeof(object->transform));
 	object_update_bounds(scene, object);
+	object->version = scene_next_version(scene);
 	return true;
 }
 
@@ -206,6 +217,15 @@ static bool is_same_name(const char *a, const char *b)
 	return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
 }
 
+/* But for the name. */
+static bool is_same_light(const struct sm_light_desc *a, const struct sm_light_desc *b)
+{
+	return a->type == b->type && memcmp(a->position, b->position, sizeof(a->position)) == 0 &&
+	       memcmp(a->target, b->target, sizeof(a->target)) == 0 && a->radius == b->radius &&
+	       a->angle == b->angle && a->softness == b->softness &&
+	       memcmp(a->color, b->color, sizeof(a->color)) == 0 && a->intensity == b->intensity;
+}
+
 bool sm_scene_set_light(struct sm_scene *scene, uint32_t light, const struct sm_light_desc *desc,
 	struct sm_error *error)
 {
@@ -221,7 +241,9 @@ bool sm_scene_set_light(struct sm_scene *scene, uint32_t light, const struct sm_
 			return false;
 		free(changed->name);
 	}
-	*changed = (struct light){.name = name, .desc = *desc};
+	bool same = changed->version > 0 && is_same_light(&changed->desc, desc);
+	uint64_t version = same ? changed->version : scene_next_version(scene);
+	*changed = (struct light){.name = name, .desc = *desc, .version = version};
 	changed->desc.name = name;
 	return true;
 }
@@ -245,6 +267,7 @@ bool sm_scene_add_light(struct sm_scene *scene, const struct sm_light_desc *desc
 void sm_scene_set_environment(struct sm_scene *scene, const struct sm_environment *environment)
 {
 	scene->environment = *environment;
+	scene_next_version(scene);
 }
 
 /* Whether the whole box is in front of the near plane, z >= -w; false for NaN. */

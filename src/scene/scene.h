@@ -18,12 +18,14 @@ struct object {
 	mat4 transform;
 	vec3 base_color;
 	bool casts, receives, single_sided;
-	vec3 min, max; /* world space */
+	vec3 min, max;    /* world space */
+	uint64_t version; /* of all of the above but the name, see scene_next_version() */
 };
 
 struct light {
 	char *name;                /* may be NULL; owned */
 	struct sm_light_desc desc; /* its name points to the one above */
+	uint64_t version;          /* of all but the name */
 };
 
 struct sm_scene {
@@ -35,7 +37,12 @@ struct sm_scene {
 	size_t mesh_count, image_count, object_count, light_count;
 	size_t mesh_capacity, image_capacity, object_capacity, light_capacity;
 	struct sm_environment environment;
+	uint64_t version;
 };
+
+/** The scene's next version, for what in it changes now: what is made of parts of a scene is made
+ *  anew where one of them has a greater version than before. Never 0. */
+uint64_t scene_next_version(struct sm_scene *scene);
 
 /** Sets min and max from mesh and transform. */
 void object_update_bounds(const struct sm_scene *scene, struct object *object);
