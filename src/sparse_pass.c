@@ -88,6 +88,8 @@ static bool join_points(
 
 bool sparse_pass_draw(const struct surface_pass *view, struct sm_error *error)
 {
+	/* Found out before state is set for surfaces, which ask for it. */
+	way_choose(&view->renderer->gpu, DRIVER_BRANCH, NULL);
 	if (!draw_points(view, error))
 		return false;
 	gl_push_group(&view->renderer->gpu.gl, "cells");

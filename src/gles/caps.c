@@ -52,8 +52,8 @@ static const struct cap_info infos[CAP_COUNT] = {
 		.any = FLOAT_TARGETS,
 		.also = CAP_BIT(TEXTURE_FLOAT_LINEAR)},
 	[CAP_FILTER_RGBA16F] = {.name = "filter_rgba16f", .any = HALF_TARGETS},
-	/* Told by the renderer's name: pixels are drawn by a processor. */
-	[CAP_SOFTWARE] = {.name = "software"},
+	/* Pixels that a branch passes over take as long as those that it does not. */
+	[CAP_SLOW_BRANCH] = {.name = "slow_branch"},
 	[CAP_SRGB_STORED] = {.name = "srgb_stored", .any = CAP_BIT(TEXTURE_SRGB_DECODE)},
 };
 
@@ -175,19 +175,6 @@ static void find_extensions(struct caps *caps, struct gl *gl)
 	}
 }
 
-static void find_software(struct caps *caps)
-{
-	static const char *const names[] = {"llvmpipe", "softpipe", "SwiftShader"};
-	bool there = false;
-	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++)
-		there = there ||
-			(caps->renderer != NULL && strstr(caps->renderer, names[i]) != NULL);
-	if (caps->found[CAP_SOFTWARE].taken)
-		caps_note(caps, CAP_SOFTWARE, false, "taken away");
-	else
-		caps_note(caps, CAP_SOFTWARE, there, "the renderer's name");
-}
-
 bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_error *error)
 {
 	*caps = (struct caps){
@@ -208,7 +195,6 @@ bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_err
 	if (!override(caps, list, error))
 		return false;
 	find_extensions(caps, gl);
-	find_software(caps);
 	return true;
 }
 

@@ -57,6 +57,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(DRAWELEMENTS, DrawElements) \
 	X(ENABLE, Enable) \
 	X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+	X(FINISH, Finish) \
 	X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
 	X(FRAMEBUFFERTEXTURELAYER, FramebufferTextureLayer) \
 	X(FRONTFACE, FrontFace) \

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/probe.h"
+#include "gles/branch_probe.h"
 #include "gles/target.h"
 #include <math.h>
 #include <stdio.h>
@@ -321,16 +322,25 @@ static void finish(struct probe *probe)
 	gl_delete_sampler(gl, &probe->compare);
 }
 
+static void draw_all(struct gpu *gpu, enum cap cap)
+{
+	struct probe probe = {.gpu = gpu};
+	draw(&probe, cap);
+	finish(&probe);
+}
+
 static void run(struct gpu *gpu, enum cap cap)
 {
 	struct gl *gl = &gpu->gl;
-	struct probe probe = {.gpu = gpu};
 	GLint drawn, read, viewport[4];
 	gl->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
 	gl->GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
 	gl->GetIntegerv(GL_VIEWPORT, viewport);
-	draw(&probe, cap);
-	finish(&probe);
+	if (cap == CAP_SLOW_BRANCH)
+		branch_probe_run(gpu);
+	else
+		draw_all(gpu, cap);
+	gpu_restore_state(gpu);
 	gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)drawn);
 	gl->BindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)read);
 	gl->Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
@@ -346,7 +356,8 @@ static bool is_open(struct caps *caps, enum cap cap)
 static enum cap companion(struct gpu *gpu, enum cap cap)
 {
 	bool alone = color_probes[cap].format != 0 || cap == CAP_SRGB_STORED ||
-		     cap == CAP_FRAG_DEPTH_MIN || !is_open(&gpu->caps, CAP_MIN_RG16F);
+		     cap == CAP_SLOW_BRANCH || cap == CAP_FRAG_DEPTH_MIN ||
+		     !is_open(&gpu->caps, CAP_MIN_RG16F);
 	return alone ? cap : CAP_MIN_RG16F;
 }
 

@@ -94,6 +94,15 @@ static struct program_entry *get_entry(struct gl *gl, GLuint name)
 	return NULL;
 }
 
+static void save_entry(
+	const struct sm_program_store *store, struct program_id id, struct program_entry *entry)
+{
+	char name[PROGRAM_ID_NAME_SIZE];
+	program_id_name(&id, name);
+	program_entry_seal(entry, &id);
+	store->save(store->data, name, entry, sizeof(*entry) + entry->length);
+}
+
 void program_binary_save(
 	const struct program_binaries *binaries, struct gl *gl, GLuint name, struct program_key key)
 {
@@ -105,10 +114,34 @@ void program_binary_save(
 		log_debug("the driver gives no binary of a program");
 		return;
 	}
-	struct program_id id = id_of(binaries, key);
-	char text[PROGRAM_ID_NAME_SIZE];
-	program_id_name(&id, text);
-	program_entry_seal(entry, &id);
-	store->save(store->data, text, entry, sizeof(*entry) + entry->length);
+	save_entry(store, id_of(binaries, key), entry);
 	free(entry);
+}
+
+/* An entry without a binary, whose format is the number. */
+static struct program_id fact_id(const struct program_binaries *binaries, const char *fact)
+{
+	struct program_id id = binaries->driver;
+	program_id_add(&id, fact);
+	return id;
+}
+
+bool program_fact_load(const struct program_binaries *binaries, const char *fact, uint32_t *value)
+{
+	if (binaries->store.load == NULL)
+		return false;
+	struct program_id id = fact_id(binaries, fact);
+	struct program_entry *entry = load_entry(&binaries->store, &id);
+	if (entry == NULL)
+		return false;
+	*value = entry->format;
+	free(entry);
+	return true;
+}
+
+void program_fact_save(const struct program_binaries *binaries, const char *fact, uint32_t value)
+{
+	struct program_entry entry = {.format = value};
+	if (binaries->store.save != NULL)
+		save_entry(&binaries->store, fact_id(binaries, fact), &entry);
 }

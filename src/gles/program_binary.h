@@ -29,4 +29,11 @@ void program_binary_announce(const struct program_binaries *binaries, struct gl 
 void program_binary_save(const struct program_binaries *binaries, struct gl *gl, GLuint name,
 	struct program_key key);
 
+/** A number that was found out about the driver, by name, from the store. False: it is not there,
+ * or damaged. */
+bool program_fact_load(const struct program_binaries *binaries, const char *fact, uint32_t *value);
+
+/** Keeps it there. */
+void program_fact_save(const struct program_binaries *binaries, const char *fact, uint32_t value);
+
 #endif

@@ -210,6 +210,11 @@ static const struct {
 			.flags = FLAG_GATHER,
 			.parts = {{{"copy.vert"}}, {{"probe_read.frag"}}},
 		},
+	[PROGRAM_PROBE_BRANCH] =
+		{
+			.name = "probe-branch",
+			.parts = {{{"copy.vert"}}, {{"probe_branch.frag"}}},
+		},
 	[PROGRAM_EXACT_DEPTH] =
 		{
 			.name = "exact-depth",

@@ -70,7 +70,7 @@ static const struct {
 	 * blocks of pixels that a first pass has drawn are passed over whole. */
 	[DRIVER_BRANCH] = {"branch", "pixels that know visibility beside those that find it", {
 		[BRANCH_EARLY_DEPTH] = {"early-depth", "in two passes, by the depth test",
-			CAP_BIT(SOFTWARE), 0},
+			0, 0, CAP_BIT(SLOW_BRANCH)},
 		[BRANCH_SHADER] = {"shader", "in one pass, by a branch", 0, 0},
 	}},
 };
@@ -88,13 +88,19 @@ const struct driver_way *way_at(enum driver_need need, size_t index)
 	return &needs[need].ways[index];
 }
 
-/* The first cap that the way takes and the driver lacks; CAP_COUNT: none. */
-static enum cap lacking_cap(struct gpu *gpu, const struct driver_way *way)
+/* The first of a set of caps that the driver lacks; CAP_COUNT: none. */
+static enum cap lacking_cap(struct gpu *gpu, uint32_t caps)
 {
 	enum cap cap = 0;
-	while (cap < CAP_COUNT && (!(way->caps >> cap & 1) || gpu_has(gpu, cap)))
+	while (cap < CAP_COUNT && (!(caps >> cap & 1) || gpu_has(gpu, cap)))
 		cap++;
 	return cap;
+}
+
+/* The first cap for whose want a way is not taken unless it is forced. */
+static enum cap wanted_cap(struct gpu *gpu, const struct driver_way *way)
+{
+	return lacking_cap(gpu, way->caps | way->pays);
 }
 
 static bool refuse_need(const char *path, size_t length, struct sm_error *error)
@@ -137,7 +143,7 @@ static bool force(struct gpu *gpu, const char *path, struct sm_error *error)
 		index++;
 	if (way == NULL)
 		return refuse_way(need, path + length + 1, error);
-	enum cap cap = lacking_cap(gpu, way);
+	enum cap cap = lacking_cap(gpu, way->caps);
 	if (cap != CAP_COUNT)
 		return error_set(error, SM_ERROR_MACHINE,
 			"the path %.60s takes %s, which is not there: %s", path, cap_name(cap),
@@ -161,7 +167,7 @@ static int choose(struct gpu *gpu, enum driver_need need)
 	if (gpu->ways.forced[need] != 0)
 		return gpu->ways.forced[need];
 	for (size_t i = 0; (way = way_at(need, i)) != NULL; i++) {
-		enum cap cap = lacking_cap(gpu, way);
+		enum cap cap = wanted_cap(gpu, way);
 		if (cap == CAP_COUNT)
 			return (int)i + 1;
 		log_info("need %s: not %s, for want of %s", needs[need].name, way->name,
@@ -191,7 +197,7 @@ static void describe(struct gpu *gpu, enum driver_need need, char *text, size_t 
 	if (way != NULL)
 		used += (size_t)snprintf(text + used, size - used, " (%s)", way->summary);
 	for (size_t i = 0; !forced && way_at(need, i) != way && used < size; i++) {
-		enum cap cap = lacking_cap(gpu, way_at(need, i));
+		enum cap cap = wanted_cap(gpu, way_at(need, i));
 		used += (size_t)snprintf(text + used, size - used,
 			"; %s was not taken because %s: %s", way_at(need, i)->name, cap_name(cap),
 			gpu->caps.found[cap].why);

@@ -39,6 +39,7 @@ struct driver_way {
 	const char *summary;
 	uint32_t caps; /* all that it takes: CAP_BIT()s */
 	GLenum format; /* of what is drawn into; 0: nothing is */
+	uint32_t pays; /* caps without which it works, but another way is better */
 };
 
 /** Which way is forced, and which was chosen, of each need: the way's index + 1; 0: none. */

@@ -120,6 +120,7 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	/* A colour, a depth, or the lesser of what is there and a colour. */
 	assert_int_equal(counts[PROGRAM_PROBE_DRAW], 3);
 	assert_int_equal(counts[PROGRAM_PROBE_READ], 2);
+	assert_int_equal(counts[PROGRAM_PROBE_BRANCH], 1);
 	/* No colours, or depths as floats of 32 or 16 bits, or as bytes. */
 	assert_int_equal(counts[PROGRAM_DEPTH_MAP], 4);
 	/* The front one, or what is behind it. */

@@ -257,6 +257,51 @@ static void a_store_may_be_read_only_or_write_only(void **state)
 	free(plain.rgba);
 }
 
+/* What a renderer says of branches, after yes or no. */
+struct branch_fact {
+	char text[96];
+	unsigned int percent;
+};
+
+static void note_branch(void *data, const char *key, const char *value)
+{
+	struct branch_fact *fact = data;
+	const char *share = strstr(value, "take ");
+	if (strcmp(key, "cap slow_branch") != 0)
+		return;
+	snprintf(fact->text, sizeof(fact->text), "%s", value);
+	fact->percent = share != NULL ? (unsigned int)atoi(share + strlen("take ")) : 0;
+}
+
+static struct branch_fact describe_branch(struct store *store)
+{
+	struct branch_fact fact = {0};
+	struct sm_program_store calls = {store, load, save};
+	struct sm_renderer *renderer = sm_renderer_create(platform_get_proc, NULL);
+	assert_non_null(renderer);
+	sm_renderer_set_program_store(renderer, &calls);
+	sm_renderer_describe(renderer, note_branch, &fact);
+	sm_renderer_destroy(renderer);
+	return fact;
+}
+
+static void what_was_timed_is_kept(void **state)
+{
+	(void)state;
+	struct store store = {0};
+	need_binaries();
+	struct branch_fact timed = describe_branch(&store), kept = describe_branch(&store);
+	assert_null(strstr(timed.text, "kept"));
+	assert_non_null(strstr(kept.text, "kept"));
+	assert_int_equal(kept.percent, timed.percent);
+	assert_memory_equal(kept.text, timed.text, strlen("no"));
+	/* Damaged, it is timed again. */
+	for (size_t i = 0; i < store.count; i++)
+		store.entries[i].bytes[offsetof(struct program_entry, format)] ^= 1;
+	assert_null(strstr(describe_branch(&store).text, "kept"));
+	store_finish(&store);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -265,6 +310,7 @@ int main(void)
 		rig_test(entries_under_the_wrong_name_are_not_used),
 		rig_test(a_store_that_fails_changes_nothing),
 		rig_test(a_store_may_be_read_only_or_write_only),
+		rig_test(what_was_timed_is_kept),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
