@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A frame like the last one allocates nothing. Linked with --wrap, so that what this program and
- * the library call is counted, and what the driver calls is not.
+ * A frame like the last one allocates nothing, and one that finds no memory fails cleanly. Linked
+ * with --wrap, so that what this program and the library call is counted, and what the driver calls
+ * is not.
  */
 #include "allocations.h"
 #include "canvas.h"
 #include "parts.h"
 #include "rig.h"
+#include <limits.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -100,6 +102,66 @@ static void the_same_frame_allocates_nothing(void **state)
 	}
 }
 
+/* Draws with each allocation failing in turn, and after each as if nothing had been. Returns how
+ * many there are. */
+static unsigned long starve(struct rig *rig, const struct sm_shadow_options *options,
+	const struct sm_view *view, const struct canvas *canvas)
+{
+	rig_set_shadows(rig, options);
+	rig_draw(rig, rig->scene, view);
+	uint8_t *whole = canvas_read(canvas);
+	unsigned long allowed = 0;
+	for (bool drawn = false; !drawn; allowed++) {
+		struct sm_error error = {0};
+		rig_set_shadows(rig, options);
+		allocations_left = allowed;
+		drawn = sm_renderer_draw(rig->renderer, rig->scene, view, &error);
+		allocations_left = ULONG_MAX;
+		assert_int_equal(error.status, drawn ? SM_OK : SM_ERROR_MACHINE);
+		rig_draw(rig, rig->scene, view);
+		uint8_t *again = canvas_read(canvas);
+		assert_memory_equal(again, whole, SIZE * SIZE * 4);
+		free(again);
+	}
+	free(whole);
+	return allowed;
+}
+
+static void a_frame_without_memory_fails_and_leaves_nothing(void **state)
+{
+	struct rig *rig = *state;
+	static const struct {
+		struct sm_shadow_options options;
+		unsigned long least; /* allocations */
+	} cases[] = {
+		{{.technique = "hard", .map_size = 64}, 1},
+		{{.technique = "smoothie", .map_size = 64}, 4},
+		{{.technique = "smoothie-two-sided", .map_size = 64}, 4},
+		{{"gather", .map_size = 64, .sampling = SM_SAMPLING_DENSE}, 15},
+		{{"gather", .map_size = 64, .sampling = SM_SAMPLING_SPARSE}, 15},
+		{{.precision = SM_PRECISION_FIXED12, .map_size = 64}, 4},
+	};
+	struct canvas canvas;
+	struct sm_view view = {
+		.camera = {.eye = {4, 5, 6}, .up = {0, 1, 0}, .fov = 50},
+		.width = SIZE,
+		.height = SIZE,
+		.visibility_of = SM_NONE,
+	};
+	parts_add_light(rig->scene, &lamp);
+	parts_add_object(rig->scene, parts_add_sphere(rig->scene, 4), PART_BOTH,
+		&(struct pose){.scale = {1, 1, 1}, .position = {0, 1, 0}});
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){.scale = {4, 1, 4}});
+	canvas_init(&canvas, GL_RGBA8, SIZE, SIZE);
+	view.framebuffer = canvas.framebuffer;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		unsigned long count = starve(rig, &cases[i].options, &view, &canvas);
+		assert_in_range(count, cases[i].least, 1000);
+	}
+	canvas_finish(&canvas);
+}
+
 static void moving_things_allocates_nothing(void **state)
 {
 	struct rig *rig = *state;
@@ -139,6 +201,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(the_same_frame_allocates_nothing),
+		rig_test(a_frame_without_memory_fails_and_leaves_nothing),
 		rig_test(moving_things_allocates_nothing),
 		rig_test(copying_to_a_screen_allocates_nothing),
 	};

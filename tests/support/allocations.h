@@ -6,4 +6,8 @@
  *  these: the project's own objects, not the libraries that it uses. */
 extern unsigned long allocations;
 
+/** How many of these calls succeed from now on, before one fails, and all that follow; it counts
+ *  down. ULONG_MAX, the start, for all. */
+extern unsigned long allocations_left;
+
 #endif
