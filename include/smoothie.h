@@ -319,6 +319,13 @@ struct sm_view {
 SM_API bool sm_renderer_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 	const struct sm_view *view, struct sm_error *error);
 
+/** Whether the last sm_renderer_draw() drew just what it would draw now, so that there is no need
+ * to, nor to show it again: it succeeded, with this scene, which has not changed since, and this
+ * view, and with the same shadows. Takes no call of GL. That what it drew is still in the
+ * framebuffer is for the caller to know. Always false while the skip "frame" is off. */
+SM_API bool sm_renderer_is_current(
+	struct sm_renderer *renderer, const struct sm_scene *scene, const struct sm_view *view);
+
 /** A finished picture, and the screen that is to show it. */
 struct sm_screen {
 	uint32_t texture;       /**< GL name, complete, GL_SRGB8_ALPHA8, of width x height texels */
@@ -338,14 +345,14 @@ struct sm_screen {
 SM_API bool sm_renderer_copy_to_screen(
 	struct sm_renderer *renderer, const struct sm_screen *screen, struct sm_error *error);
 
-/** What the last sm_renderer_draw() did. */
+/** What the last sm_renderer_draw() did: what it skipped does not count. */
 struct sm_frame_stats {
 	uint32_t draw_calls;
-	uint32_t lights;           /**< drawn with shadows */
+	uint32_t lights;           /**< shown with shadows */
 	uint32_t hard_lights;      /**< of these: by "auto", as "hard" */
 	uint32_t sparse_lights;    /**< of these: with SM_SAMPLING_SPARSE */
 	uint64_t triangles;        /**< submitted, all passes */
-	uint64_t silhouette_edges; /**< all lights */
+	uint64_t silhouette_edges; /**< all lights whose silhouettes were looked for */
 	uint64_t edges_left_out;   /**< by "gather": an edge counts for each part of the light's
 				      screen whose list had no room for it, nearer edges first */
 	uint64_t fin_vertices;
@@ -358,6 +365,26 @@ struct sm_frame_stats {
 };
 
 SM_API void sm_renderer_get_stats(const struct sm_renderer *renderer, struct sm_frame_stats *stats);
+
+/** What a renderer does not do again, or not at all, where every pixel is the same without it: the
+ *  name and one line about it, or NULL when index is past the last one. */
+SM_API const char *sm_skip_name(size_t index);
+SM_API const char *sm_skip_summary(size_t index);
+
+/** "-NAME,+NAME...": skips turned off, and on again, in order; "all" is each of them. All are on to
+ *  begin with. Fails (INPUT) on an unknown name, and then changes nothing. */
+SM_API bool sm_renderer_set_skips(
+	struct sm_renderer *renderer, const char *skips, struct sm_error *error);
+
+/** Since the renderer was created. While a skip is off nothing is counted. */
+struct sm_skip_stats {
+	uint64_t tested;
+	uint64_t skipped; /**< of these; the others were done */
+};
+
+/** Those of the skip of that index, which is one of sm_skip_name(). */
+SM_API void sm_renderer_get_skip_stats(
+	const struct sm_renderer *renderer, size_t index, struct sm_skip_stats *stats);
 
 /** Is told where passes begin and end, in their order, during sm_renderer_draw(): "shadow map",
  *  "silhouettes" or "surfaces", say. A pass ends with the framebuffer still bound that it drew to.

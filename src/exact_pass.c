@@ -278,6 +278,7 @@ const struct technique technique_exact = {
 	.summary = "smoothies in integers, the same bits with every driver",
 	.options = OPTION_WIDTH | OPTION_FALLOFF | OPTION_PASSES | OPTION_PRECISION,
 	.state_size = sizeof(struct exact),
+	.reads_receivers = true,
 	.init = init,
 	.finish = finish,
 	.prepare_view = prepare_view,

@@ -52,13 +52,13 @@ static bool draw_sparsely(const struct surface_pass *view, uint32_t index,
 	struct sm_renderer *renderer = view->renderer;
 	const struct technique *technique = renderer->shadows.technique;
 	struct surface_pass pass = *view;
-	light->sparse = technique->is_sparse != NULL &&
-			technique->is_sparse(light->shadow, view->scene, &light->frame, seen);
+	light->sparse = technique->is_sparse != NULL && technique->is_sparse(light->shadow->state,
+								view->scene, &light->frame, seen);
 	if (!light->sparse)
 		return true;
 	renderer->gpu.stats.sparse_lights++;
 	choose_light(&pass, index, light);
-	return sparse_pass_draw(&pass, error);
+	return sparse_pass_draw(&pass, light, seen, error);
 }
 
 /* Shadow maps of lights first .. last - 1, into renderer->lights. */
@@ -81,8 +81,12 @@ static bool draw_shadows(
 		struct shadowed_light *light = &renderer->lights[i];
 		(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
 			&light->frame, &pass->scene->lights[first + i].desc, pass->scene);
-		light->shadow = shadow_set_prepare(&renderer->shadows, &renderer->gpu, pass->scene,
-			i, &light->frame, &view, error);
+		const struct shadow_request request = {.local = &renderer->local,
+			.index = i,
+			.frame = &light->frame,
+			.view = &view};
+		light->shadow =
+			shadow_set_prepare(&renderer->shadows, &renderer->gpu, &request, error);
 		if (light->shadow == NULL)
 			return false;
 		renderer->gpu.stats.lights++;
@@ -106,7 +110,7 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 	gl->Viewport(0, 0, (GLsizei)pass->width, (GLsizei)pass->height);
 	if (pass->flags & FLAG_VISIBILITY && renderer->shadows.technique->show != NULL)
 		return renderer->shadows.technique->show(
-			renderer->lights[0].shadow, &renderer->gpu, error);
+			renderer->lights[0].shadow->state, &renderer->gpu, error);
 	gl->GetIntegerv(GL_SAMPLES, &samples);
 	pass->multisampled = samples > 1;
 	clear(gl, pass->scene, pass->flags);

@@ -19,10 +19,13 @@ static bool find_anchor(const struct sm_camera *camera, vec3 anchor)
 	float cell = ldexpf(1.0f, exponent);
 	bool found = false;
 	for (int axis = 0; axis < 3; axis++) {
-		anchor[axis] = cell * rintf(camera->eye[axis] / cell);
+		/* One zero alone, as two are not the same bits. */
+		anchor[axis] = cell * rintf(camera->eye[axis] / cell) + 0.0f;
 		/* Of a camera that cannot be, say. */
-		if (!isfinite(anchor[axis]))
+		if (!isfinite(anchor[axis])) {
+			glm_vec3_zero(anchor);
 			return false;
+		}
 		found = found || anchor[axis] != 0.0f;
 	}
 	return found;
@@ -52,7 +55,7 @@ static bool copy_parts(struct sm_scene *copy, const struct sm_scene *scene, stru
 bool local_scene_find(struct local_scene *local, const struct sm_scene *scene,
 	const struct sm_camera *camera, struct sm_error *error)
 {
-	vec3 anchor;
+	float *anchor = local->anchor;
 	local->scene = scene;
 	local->camera = *camera;
 	if (!find_anchor(camera, anchor))

@@ -14,6 +14,7 @@
 struct local_scene {
 	const struct sm_scene *scene; /* the local one: refers to the other's meshes and images */
 	struct sm_camera camera;
+	vec3 anchor;
 	/* Where the scene is not its own: owned */
 	struct sm_scene moved;
 };

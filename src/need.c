@@ -58,7 +58,7 @@ void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const stru
 	const struct light_frame *frame, const struct screen_grid *soft, float reach,
 	uint32_t map_size)
 {
-	*map = (struct need_map){.cone = frame->parallel ? INFINITY : 1.0f};
+	*map = (struct need_map){.cone = INFINITY};
 	mark_casters(&map->cells[NEED_MAP], gpu, scene, frame, reach, map_size);
 	map->cells[NEED_TECHNIQUE] = soft != NULL ? *soft : map->cells[NEED_MAP];
 }

@@ -20,7 +20,8 @@ enum need {
 struct need_map {
 	/* Marked where there is this need or a greater one; kept for NEED_MAP and above. */
 	struct screen_grid cells[NEED_COUNT];
-	float cone; /* half the width of the light's cone, NDC: beside it there is no light */
+	float cone; /* half the width of the light's cone, NDC: beside it there is no light. For the
+		       caller to set; INFINITY at first. */
 };
 
 /**

@@ -4,6 +4,7 @@
 #include "gles/probe.h"
 #include "sparse_pass.h"
 #include <stdlib.h>
+#include <string.h>
 
 struct sm_renderer *sm_renderer_create(sm_get_proc get_proc, struct sm_error *error)
 {
@@ -57,6 +58,7 @@ bool sm_renderer_set_shadows(struct sm_renderer *renderer, const struct sm_shado
 		return false;
 	shadow_set_finish(&renderer->shadows, &renderer->gpu);
 	sparse_pass_finish(renderer);
+	renderer->current = (struct frame_key){0};
 	renderer->shadows = set;
 	return true;
 }
@@ -105,13 +107,40 @@ static bool check_drawn(struct gl *gl, bool drawn, struct sm_error *error)
 	return drawn;
 }
 
+static struct frame_key key_of(const struct sm_scene *scene, const struct sm_view *view)
+{
+	return (struct frame_key){scene->id, scene->version, *view};
+}
+
+bool sm_renderer_is_current(
+	struct sm_renderer *renderer, const struct sm_scene *scene, const struct sm_view *view)
+{
+	const struct frame_key *current = &renderer->current, key = key_of(scene, view);
+	bool same = current->scene == key.scene && current->version == key.version &&
+		    memcmp(&current->view, &key.view, sizeof(key.view)) == 0;
+	return skip_take(&renderer->gpu.skips, SKIP_FRAME, same);
+}
+
+/* What was kept for later frames. */
+static void forget(struct sm_renderer *renderer)
+{
+	shadow_set_forget(&renderer->shadows);
+	for (size_t i = 0; i < renderer->light_capacity; i++)
+		renderer->lights[i].points = (struct points_key){0};
+}
+
 bool sm_renderer_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 	const struct sm_view *view, struct sm_error *error)
 {
 	struct gl *gl = &renderer->gpu.gl;
 	renderer->gpu.stats = (struct sm_frame_stats){0};
 	gl_take_error(gl);
-	return check_drawn(gl, frame_draw(renderer, scene, view, error), error);
+	bool drawn = check_drawn(gl, frame_draw(renderer, scene, view, error), error);
+	/* Of what GL refused nobody knows which part is there. */
+	if (!drawn)
+		forget(renderer);
+	renderer->current = drawn ? key_of(scene, view) : (struct frame_key){0};
+	return drawn;
 }
 
 bool sm_renderer_copy_to_screen(
@@ -127,6 +156,27 @@ void sm_renderer_get_stats(const struct sm_renderer *renderer, struct sm_frame_s
 	*stats = renderer->gpu.stats;
 	stats->programs_compiled = renderer->gpu.programs.compiled;
 	stats->programs_loaded = renderer->gpu.programs.loaded;
+}
+
+const char *sm_skip_name(size_t index)
+{
+	return skip_name(index);
+}
+
+const char *sm_skip_summary(size_t index)
+{
+	return skip_summary(index);
+}
+
+bool sm_renderer_set_skips(struct sm_renderer *renderer, const char *skips, struct sm_error *error)
+{
+	return skips_set(&renderer->gpu.skips, skips, error);
+}
+
+void sm_renderer_get_skip_stats(
+	const struct sm_renderer *renderer, size_t index, struct sm_skip_stats *stats)
+{
+	*stats = renderer->gpu.skips.stats[index];
 }
 
 void sm_renderer_set_pass_observer(

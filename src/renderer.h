@@ -7,14 +7,29 @@
 #include "scene/draw_order.h"
 #include "shadow_set.h"
 
+/** All that a light's visibility at points of a view is made from. Zero is of nothing. */
+struct points_key {
+	struct light_key light;
+	struct objects_age objects;
+	struct view_key view;
+	bool whole;
+};
+
 /** A light of the frame. */
 struct shadowed_light {
 	struct light_frame frame;
-	void *shadow;  /* state of the technique, in the shadow set */
+	struct light_shadow *shadow; /* in the shadow set */
 	bool sparse;   /* whether its visibility is first drawn at points of the view */
 	uint32_t idle; /* frames in which it was not */
 	/* Of these (sparse_pass.h); made when there are some. */
 	struct picture cells;
+	struct points_key points; /* that cells are of */
+};
+
+/** What a picture is of. Zero is of nothing. */
+struct frame_key {
+	uint64_t scene, version; /* of the scene */
+	struct sm_view view;
 };
 
 struct sm_renderer {
@@ -30,6 +45,7 @@ struct sm_renderer {
 	struct shadowed_light *lights; /* owned */
 	uint8_t *needs;                /* enum need of a mesh's clusters; owned */
 	size_t light_capacity, need_capacity;
+	struct frame_key current; /* of the last frame, if it was drawn */
 	bool whole; /* draw every surface with all that the technique does, for comparison */
 };
 

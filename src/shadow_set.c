@@ -158,25 +158,33 @@ bool shadow_set_init(struct shadow_set *set, const struct sm_shadow_options *opt
 	return true;
 }
 
-static void state_destroy(struct shadow_set *set, struct gpu *gpu, void *state)
+static void shadow_destroy(struct shadow_set *set, struct gpu *gpu, struct light_shadow *shadow)
 {
-	set->technique->finish(state, gpu);
-	free(state);
+	if (shadow->state != NULL)
+		set->technique->finish(shadow->state, gpu);
+	free(shadow->state);
+	free(shadow);
 }
 
 void shadow_set_finish(struct shadow_set *set, struct gpu *gpu)
 {
 	for (size_t i = 0; i < set->count; i++)
-		state_destroy(set, gpu, set->states[i]);
-	free(set->states);
+		shadow_destroy(set, gpu, set->shadows[i]);
+	free(set->shadows);
 	*set = (struct shadow_set){0};
+}
+
+void shadow_set_forget(struct shadow_set *set)
+{
+	for (size_t i = 0; i < set->count; i++)
+		set->shadows[i]->drawn = false;
 }
 
 size_t shadow_set_geometry_bytes(const struct shadow_set *set)
 {
 	size_t bytes = 0;
 	for (size_t i = 0; i < set->count && set->technique->geometry_bytes != NULL; i++)
-		bytes += set->technique->geometry_bytes(set->states[i]);
+		bytes += set->technique->geometry_bytes(set->shadows[i]->state);
 	return bytes;
 }
 
@@ -193,34 +201,55 @@ static bool choose_map_flags(struct shadow_set *set, struct gpu *gpu, struct sm_
 	return true;
 }
 
-static bool add_state(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)
+static bool add_shadow(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)
 {
 	if (!choose_map_flags(set, gpu, error))
 		return false;
-	if (!array_reserve((void **)&set->states, &set->capacity, set->count + 1, sizeof(void *)))
+	if (!array_reserve(
+		    (void **)&set->shadows, &set->capacity, set->count + 1, sizeof(*set->shadows)))
 		return error_no_memory(error);
-	void *state = calloc(1, set->technique->state_size);
-	if (state == NULL)
+	struct light_shadow *shadow = calloc(1, sizeof(*shadow));
+	if (shadow == NULL)
 		return error_no_memory(error);
-	if (!set->technique->init(state, gpu, &set->options, error)) {
-		state_destroy(set, gpu, state);
+	shadow->state = calloc(1, set->technique->state_size);
+	if (shadow->state == NULL)
+		error_no_memory(error);
+	if (shadow->state == NULL ||
+		!set->technique->init(shadow->state, gpu, &set->options, error)) {
+		shadow_destroy(set, gpu, shadow);
 		return false;
 	}
-	set->states[set->count++] = state;
+	set->shadows[set->count++] = shadow;
 	return true;
 }
 
-void *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu, const struct sm_scene *scene,
-	size_t index, const struct light_frame *frame, const struct technique_view *view,
-	struct sm_error *error)
+static bool draw(const struct technique *technique, void *state, struct gpu *gpu,
+	const struct shadow_request *request, struct sm_error *error)
+{
+	const struct sm_scene *scene = request->local->scene;
+	return technique->prepare_view != NULL
+		       ? technique->prepare_view(
+				 state, gpu, scene, request->frame, request->view, error)
+		       : technique->prepare(state, gpu, scene, request->frame, error);
+}
+
+struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,
+	const struct shadow_request *request, struct sm_error *error)
 {
 	const struct technique *technique = set->technique;
-	while (set->count <= index)
-		if (!add_state(set, gpu, error))
+	while (set->count <= request->index)
+		if (!add_shadow(set, gpu, error))
 			return NULL;
-	void *state = set->states[index];
-	bool drawn = technique->prepare_view != NULL
-			     ? technique->prepare_view(state, gpu, scene, frame, view, error)
-			     : technique->prepare(state, gpu, scene, frame, error);
-	return drawn ? state : NULL;
+	struct light_shadow *shadow = set->shadows[request->index];
+	struct light_key key =
+		light_key_of(technique, request->local, request->frame, request->view);
+	bool changed = technique->choose != NULL &&
+		       technique->choose(shadow->state, gpu, request->local->scene, request->frame);
+	bool same = !changed && shadow->drawn && light_key_is_same(&shadow->key, &key);
+	if (skip_take(&gpu->skips, SKIP_LIGHT, same))
+		return shadow;
+	shadow->key = key;
+	shadow->mapped = false;
+	shadow->drawn = draw(technique, shadow->state, gpu, request, error);
+	return shadow->drawn ? shadow : NULL;
 }

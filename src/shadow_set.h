@@ -2,14 +2,24 @@
 #ifndef SHADOW_SET_H
 #define SHADOW_SET_H
 
-#include "technique/technique.h"
+#include "light_key.h"
+#include "need.h"
+
+/** What one light throws. */
+struct light_shadow {
+	void *state; /* of the technique; owned */
+	bool drawn;  /* what the key says is in it */
+	struct light_key key;
+	bool mapped; /* the needs are those of what is drawn */
+	struct need_map needs;
+};
 
 /** One technique's states, a light each, made when first needed. */
 struct shadow_set {
 	const struct technique *technique;
 	uint64_t map_flags; /* of PROGRAM_SURFACE, where the shadow map alone will do */
 	struct sm_shadow_options options; /* complete; .technique is not used */
-	void **states;                    /* owned */
+	struct light_shadow **shadows;    /* each and all owned */
 	size_t count, capacity;
 };
 
@@ -19,13 +29,23 @@ bool shadow_set_init(struct shadow_set *set, const struct sm_shadow_options *opt
 	const struct caps *caps, struct sm_error *error);
 void shadow_set_finish(struct shadow_set *set, struct gpu *gpu);
 
+/** Each light is to be drawn anew. */
+void shadow_set_forget(struct shadow_set *set);
+
 /** Of the processor's memory, what the lights' states hold of geometry. */
 size_t shadow_set_geometry_bytes(const struct shadow_set *set);
 
-/** Draws what light number `index` sees, and returns its state, owned by the set; NULL on
- *  failure. */
-void *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu, const struct sm_scene *scene,
-	size_t index, const struct light_frame *frame, const struct technique_view *view,
-	struct sm_error *error);
+/** A light as a view is drawn with it. */
+struct shadow_request {
+	const struct local_scene *local;
+	size_t index; /* of its state */
+	const struct light_frame *frame;
+	const struct technique_view *view;
+};
+
+/** Draws what a light sees, unless it did so before and nothing of that has changed, and returns
+ *  its shadow, owned by the set; NULL on failure. */
+struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,
+	const struct shadow_request *request, struct sm_error *error);
 
 #endif

@@ -86,16 +86,43 @@ static bool join_points(
 	return true;
 }
 
-bool sparse_pass_draw(const struct surface_pass *view, struct sm_error *error)
+static bool is_same(const struct points_key *a, const struct points_key *b)
+{
+	return light_key_is_same(&a->light, &b->light) &&
+	       objects_age_is_same(&a->objects, &b->objects) &&
+	       view_key_is_same(&a->view, &b->view) && a->whole == b->whole;
+}
+
+static bool draw(
+	const struct surface_pass *view, struct shadowed_light *light, struct sm_error *error)
 {
 	/* Found out before state is set for surfaces, which ask for it. */
 	way_choose(&view->renderer->gpu, DRIVER_BRANCH, NULL);
 	if (!draw_points(view, error))
 		return false;
 	gl_push_group(&view->renderer->gpu.gl, "cells");
-	bool drawn = join_points(view, view->cells, error);
+	bool drawn = join_points(view, &light->cells, error);
 	gl_pop_group(&view->renderer->gpu.gl);
 	return drawn;
+}
+
+bool sparse_pass_draw(const struct surface_pass *view, struct shadowed_light *light,
+	const struct technique_view *seen, struct sm_error *error)
+{
+	struct sm_renderer *renderer = view->renderer;
+	const struct points_key key = {
+		.light = light->shadow->key,
+		.objects = objects_age(view->scene, false),
+		.view = view_key_of(seen),
+		.whole = renderer->whole,
+	};
+	if (skip_take(&renderer->gpu.skips, SKIP_POINTS, is_same(&light->points, &key)))
+		return true;
+	light->points = (struct points_key){0};
+	if (!draw(view, light, error))
+		return false;
+	light->points = key;
+	return true;
 }
 
 void sparse_pass_bind(const struct surface_pass *pass, const struct program *program)
@@ -108,6 +135,12 @@ void sparse_pass_bind(const struct surface_pass *pass, const struct program *pro
 	gpu->gl.Uniform2f(program->uniform.cell_depth, tolerance[0], tolerance[1]);
 }
 
+static void give_back(struct sm_renderer *renderer, struct shadowed_light *light)
+{
+	picture_finish(&light->cells, &renderer->gpu.gl);
+	light->points = (struct points_key){0};
+}
+
 void sparse_pass_end_frame(struct sm_renderer *renderer)
 {
 	bool used = false;
@@ -116,7 +149,7 @@ void sparse_pass_end_frame(struct sm_renderer *renderer)
 		light->idle = light->sparse ? 0 : light->idle + 1;
 		light->sparse = false;
 		if (light->idle == IDLE_FRAMES_MAX)
-			picture_finish(&light->cells, &renderer->gpu.gl);
+			give_back(renderer, light);
 		used = used || light->cells.width > 0;
 	}
 	if (!used)
@@ -127,5 +160,5 @@ void sparse_pass_finish(struct sm_renderer *renderer)
 {
 	picture_finish(&renderer->points, &renderer->gpu.gl);
 	for (size_t i = 0; i < renderer->light_capacity; i++)
-		picture_finish(&renderer->lights[i].cells, &renderer->gpu.gl);
+		give_back(renderer, &renderer->lights[i]);
 }

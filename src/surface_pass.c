@@ -91,7 +91,7 @@ static uint64_t object_flags(const struct surface_pass *pass, const struct objec
 	if (pass->light != NULL)
 		flags |= FLAG_LIT;
 	if (pass->light != NULL && object->receives)
-		flags |= FLAG_SHADOWED | technique->surface_flags(pass->shadow);
+		flags |= FLAG_SHADOWED | technique->surface_flags(pass->shadow->state);
 	return flags;
 }
 
@@ -110,7 +110,7 @@ static bool use_program(struct surface_pass *pass, uint64_t flags, struct sm_err
 		set_light(pass, pass->program);
 	if (flags & FLAG_SHADOWED)
 		pass->renderer->shadows.technique->bind(
-			pass->shadow, gpu, pass->frame, pass->program);
+			pass->shadow->state, gpu, pass->frame, pass->program);
 	if (flags & FLAG_CELLS)
 		sparse_pass_bind(pass, pass->program);
 	return true;
@@ -153,7 +153,7 @@ static bool find_needs(const struct surface_pass *pass, const struct object *obj
 	glm_mat4_mul((vec4 *)pass->frame->world_to_clip, (vec4 *)object->transform, to_clip);
 	for (size_t i = 0; i < mesh->cluster_count; i++)
 		renderer->needs[i] =
-			(uint8_t)need_of_box(&pass->need_map, to_clip, &mesh->clusters[i]);
+			(uint8_t)need_of_box(&pass->shadow->needs, to_clip, &mesh->clusters[i]);
 	join_short_runs(renderer->needs, mesh->cluster_count);
 	return true;
 }
@@ -226,7 +226,7 @@ static bool is_large(
 static uint64_t flags_of(const struct surface_pass *pass, uint64_t all, enum need need)
 {
 	const struct technique *technique = pass->renderer->shadows.technique;
-	uint64_t lit = all & ~(FLAG_SHADOWED | technique->surface_flags(pass->shadow));
+	uint64_t lit = all & ~(FLAG_SHADOWED | technique->surface_flags(pass->shadow->state));
 	switch (need) {
 	case NEED_AMBIENT:
 		/* Visibility tells the sides of a surface apart wherever it is. */
@@ -255,7 +255,8 @@ static bool cut_to_tiles(
 	mat4 to_clip, to_light_clip;
 	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
 	glm_mat4_mul((vec4 *)pass->frame->world_to_clip, (vec4 *)object->transform, to_light_clip);
-	tiles_find(tiles, &pass->need_map, mesh, pass->width, pass->height, to_clip, to_light_clip);
+	tiles_find(tiles, &pass->shadow->needs, mesh, pass->width, pass->height, to_clip,
+		to_light_clip);
 	return true;
 }
 
@@ -286,7 +287,7 @@ static bool draw_need(struct surface_pass *pass, const struct object *object,
 		return draw_part(pass, object, tiles, need, needed, error);
 	if (!pass->first || way_choose(&pass->renderer->gpu, DRIVER_BRANCH, NULL) == BRANCH_SHADER)
 		return draw_part(pass, object, tiles, need, needed | FLAG_CELLS, error);
-	uint64_t known = (needed & ~technique->surface_flags(pass->shadow)) | FLAG_CELLS;
+	uint64_t known = (needed & ~technique->surface_flags(pass->shadow->state)) | FLAG_CELLS;
 	return draw_part(pass, object, tiles, need, known, error) &&
 	       draw_part(pass, object, tiles, need, needed, error);
 }
@@ -337,20 +338,35 @@ static bool draw_object(
 	return true;
 }
 
+/* Half the width of the light's cone on its screen. */
+static float cone_of(const struct surface_pass *pass)
+{
+	const struct light_frame *frame = pass->frame;
+	if (frame->parallel)
+		return INFINITY;
+	/* The cone is as wide as the screen, unless that is fitted. */
+	return pass->renderer->shadows.technique->fits_screen
+		       ? tanf(glm_rad(pass->light->angle) / 2.0f) / frame->half_extent
+		       : 1.0f;
+}
+
+/* Finds the light's needs, unless they are known from an earlier pass or frame. */
 static void map_needs(struct surface_pass *pass)
 {
 	const struct sm_renderer *renderer = pass->renderer;
 	const struct technique *technique = renderer->shadows.technique;
+	struct light_shadow *shadow = pass->shadow;
 	if (pass->light == NULL || !has_parts(renderer))
 		return;
-	need_map_find(&pass->need_map, &renderer->gpu.scene, pass->scene, pass->frame,
-		technique->soft_grid != NULL ? technique->soft_grid(pass->shadow) : NULL,
-		technique->reach != NULL ? technique->reach(pass->shadow, pass->frame) : 0.0f,
-		renderer->shadows.options.map_size);
-	/* The cone is as wide as the screen, unless that is fitted. */
-	if (technique->fits_screen && !pass->frame->parallel)
-		pass->need_map.cone *=
-			tanf(glm_rad(pass->light->angle) / 2.0f) / pass->frame->half_extent;
+	if (!shadow->mapped)
+		need_map_find(&shadow->needs, &renderer->gpu.scene, pass->scene, pass->frame,
+			technique->soft_grid != NULL ? technique->soft_grid(shadow->state) : NULL,
+			technique->reach != NULL ? technique->reach(shadow->state, pass->frame)
+						 : 0.0f,
+			renderer->shadows.options.map_size);
+	shadow->mapped = true;
+	/* Where a screen is fitted the cone can change and the screen not. */
+	shadow->needs.cone = cone_of(pass);
 }
 
 bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)

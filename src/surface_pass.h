@@ -2,7 +2,6 @@
 #ifndef SURFACE_PASS_H
 #define SURFACE_PASS_H
 
-#include "need.h"
 #include "renderer.h"
 
 /** One pass over the surfaces: the ambient light and the first light, or a further light. */
@@ -14,12 +13,11 @@ struct surface_pass {
 	bool multisampled;                 /* the framebuffer */
 	const struct sm_light_desc *light; /* NULL: ambient light alone */
 	const struct light_frame *frame;   /* of the light */
-	const void *shadow;                /* state of the technique, for the light */
+	struct light_shadow *shadow;       /* of the light, in the shadow set */
 	struct picture *cells;             /* of the sparse picture; NULL: there is none */
 	bool first;
 	uint64_t flags;                /* for all surfaces: VISIBILITY, ENCODE_SRGB */
 	const struct program *program; /* in use; of the pass itself */
-	struct need_map need_map;      /* of the light; likewise */
 };
 
 /** Draws every object, in the renderer's order, into the framebuffer that is bound. */

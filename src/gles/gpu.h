@@ -4,6 +4,7 @@
 
 #include "gles/gpu_scene.h"
 #include "gles/program.h"
+#include "gles/skip.h"
 #include "gles/texture_unit.h"
 #include "gles/way.h"
 
@@ -20,6 +21,7 @@ struct gpu {
 	GLuint stored_sampler; /* reads sRGB texels as they are stored; made on first use */
 	uint32_t raster_bits;  /* see raster_grid.h; 0 until it is asked for */
 	struct sm_frame_stats stats;
+	struct skips skips;
 };
 
 /** Fails as sm_renderer_create_with(). */

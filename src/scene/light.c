@@ -10,6 +10,16 @@
  * light comes in at 1.1 degrees and adds 2 % of its strength. */
 #define SLOPE_MAX 50.0f
 
+bool light_frame_is_same(const struct light_frame *a, const struct light_frame *b)
+{
+	const float plain_a[] = {a->near, a->far, a->near_to_far, a->pole, a->half_extent, a->disc};
+	const float plain_b[] = {b->near, b->far, b->near_to_far, b->pole, b->half_extent, b->disc};
+	return memcmp(a->world_to_light, b->world_to_light, sizeof(a->world_to_light)) == 0 &&
+	       memcmp(a->world_to_clip, b->world_to_clip, sizeof(a->world_to_clip)) == 0 &&
+	       a->parallel == b->parallel && memcmp(plain_a, plain_b, sizeof(plain_a)) == 0 &&
+	       memcmp(a->origin, b->origin, sizeof(a->origin)) == 0;
+}
+
 static void light_view(const struct sm_light_desc *light, mat4 view)
 {
 	vec3 axis;

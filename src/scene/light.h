@@ -31,6 +31,9 @@ struct light_frame {
 	vec4 origin;       /* homogeneous: position, or the direction towards the light */
 };
 
+/** Bit for bit. */
+bool light_frame_is_same(const struct light_frame *a, const struct light_frame *b);
+
 /** Fits the light's screen and depth range around the scene's objects. */
 void light_frame_init(
 	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene);

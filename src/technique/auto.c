@@ -59,26 +59,28 @@ static bool take(struct choice *choice, struct gpu *gpu, enum pick pick, struct 
 	return false;
 }
 
-static void choose(
-	struct choice *choice, const struct sm_scene *scene, const struct light_frame *frame)
+static bool auto_choose(
+	void *state, struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame)
 {
+	struct choice *choice = state;
 	float texels = penumbra_texels(scene, frame, choice->options.map_size);
 	/* What another scene had does not count in this one. */
 	bool shown = choice->pick == PICK_SOFT && choice->scene == scene->id;
 	enum pick pick = penumbra_shows(texels, shown) ? PICK_SOFT : PICK_HARD;
-	choice->idle = pick == choice->pick ? choice->idle + 1 : 0;
+	bool changed = pick != choice->pick;
+	choice->idle = changed ? 0 : choice->idle + 1;
 	choice->pick = pick;
 	choice->scene = scene->id;
+	if (choice->idle == IDLE_FRAMES_MAX)
+		give_back(choice, gpu, pick == PICK_HARD ? PICK_SOFT : PICK_HARD);
+	gpu->stats.hard_lights += pick == PICK_HARD;
+	return changed;
 }
 
 static bool auto_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct choice *choice = state;
-	choose(choice, scene, frame);
-	if (choice->idle == IDLE_FRAMES_MAX)
-		give_back(choice, gpu, choice->pick == PICK_HARD ? PICK_SOFT : PICK_HARD);
-	gpu->stats.hard_lights += choice->pick == PICK_HARD;
 	return take(choice, gpu, choice->pick, error) &&
 	       picks[choice->pick]->prepare(choice->states[choice->pick], gpu, scene, frame, error);
 }
@@ -129,8 +131,10 @@ const struct technique technique_auto = {
 		   "light and frame",
 	.options = OPTION_SAMPLING,
 	.state_size = sizeof(struct choice),
+	.reads_receivers = true,
 	.init = auto_init,
 	.finish = auto_finish,
+	.choose = auto_choose,
 	.prepare = auto_prepare,
 	.surface_flags = auto_surface_flags,
 	.soft_grid = auto_soft_grid,

@@ -388,6 +388,7 @@ const struct technique technique_gather = {
 	.summary = "the light's disc cut by all silhouette edges before it, for each pixel",
 	.options = OPTION_SAMPLING,
 	.state_size = sizeof(struct gather),
+	.reads_receivers = true,
 	.fits_screen = true,
 	.init = gather_init,
 	.finish = gather_finish,

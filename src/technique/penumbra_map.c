@@ -21,6 +21,7 @@ const struct technique technique_penumbra_map = {
 	.summary = "cones and sheets along silhouettes (Wyman & Hansen 2003)",
 	.options = OPTION_FALLOFF,
 	.state_size = sizeof(struct smoothie),
+	.reads_receivers = true,
 	.init = init,
 	.finish = smoothie_finish,
 	.prepare = smoothie_prepare,

@@ -210,6 +210,7 @@ const struct technique technique_smoothie = {
 	.summary = "soft shadows by fins on silhouettes (Chan & Durand 2003)",
 	.options = OPTION_WIDTH | OPTION_FALLOFF | OPTION_PASSES | OPTION_PRECISION,
 	.state_size = sizeof(struct smoothie),
+	.reads_receivers = true,
 	.init = init,
 	.finish = smoothie_finish,
 	.prepare = smoothie_prepare,

@@ -140,6 +140,7 @@ const struct technique technique_smoothie_two_sided = {
 	.name = "smoothie-two-sided",
 	.summary = "fins on both sides of silhouettes, the light's disc cut by the nearest edge",
 	.state_size = sizeof(struct two_sided),
+	.reads_receivers = true,
 	.init = two_sided_init,
 	.finish = two_sided_finish,
 	.prepare = two_sided_prepare,

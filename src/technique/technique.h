@@ -30,15 +30,21 @@ struct technique {
 	unsigned int options; /* technique_option bits that it uses */
 	/* Of options.samples, the default first; ends with 0. All 0: it is not used. */
 	uint32_t samples[SAMPLE_CHOICES_MAX + 1];
-	size_t state_size; /* zeroed before init */
-	bool fits_screen;  /* the light's screen may be what shadows fall on alone */
+	size_t state_size;    /* zeroed before init */
+	bool fits_screen;     /* the light's screen may be what shadows fall on alone */
+	bool reads_receivers; /* prepare() depends on what only receives as well */
 
 	/** options: every 0 replaced by its default, where it has one. */
 	bool (*init)(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
 		struct sm_error *error);
 	/** Tolerates a half-made or zeroed state. */
 	void (*finish)(void *state, struct gpu *gpu);
-	/** Draws what the light sees. Leaves blending and culling off. */
+	/** Before prepare(), once a frame and light: how the light is drawn. Returns whether that
+	 *  is another way than in the last frame. NULL: there is one. */
+	bool (*choose)(void *state, struct gpu *gpu, const struct sm_scene *scene,
+		const struct light_frame *frame);
+	/** Draws what the light sees; not called while all that it depends on stays the same and
+	 *  it has succeeded. Leaves blending and culling off. */
 	bool (*prepare)(void *state, struct gpu *gpu, const struct sm_scene *scene,
 		const struct light_frame *frame, struct sm_error *error);
 	/** Instead of prepare(), which then is NULL: draws how much of the light reaches each pixel

@@ -131,6 +131,7 @@ const struct technique technique_vsm = {
 		   "2006)",
 	.samples = {5, 9},
 	.state_size = sizeof(struct vsm),
+	.reads_receivers = true,
 	.init = vsm_init,
 	.finish = vsm_finish,
 	.prepare = vsm_prepare,

@@ -264,6 +264,7 @@ static void check_views(struct census *census, struct rig *rig, const struct sm_
 static void parts_look_like_the_whole(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	add_things(rig->scene, PART_BOTH, false);
 	parts_add_light(rig->scene, &lights[0]);
 	for (size_t i = 0; i < WAYS; i++) {
@@ -309,6 +310,7 @@ static void check_somewhere(struct census *census, struct rig *rig, uint64_t *ra
 static void parts_look_like_the_whole_from_anywhere(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	uint64_t random = 41;
 	add_things(rig->scene, PART_RECEIVES, false);
 	parts_add_light(rig->scene, &lights[0]);
@@ -338,6 +340,7 @@ static void load(struct stage *stage, const char *name)
 static void parts_of_built_in_scenes_look_like_the_whole(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	for (size_t i = 0; i < WAYS; i++) {
 		struct census census = {0};
 		set_shadows(rig, &(struct sm_shadow_options){
@@ -404,6 +407,7 @@ static void add_dimmed_lights(struct sm_scene *scene)
 static void parts_of_many_lights_add_up(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	rig_set_shadows(rig, &small_map);
 	add_things(rig->scene, PART_BOTH, false);
 	add_dimmed_lights(rig->scene);
@@ -486,6 +490,7 @@ static size_t check_reach(struct rig *rig)
 static void techniques_darken_no_farther_than_their_reach(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
 		&(struct pose){{20, 1, 20}, 0, {0, 0, 0}});
 	parts_add_object(rig->scene, parts_add_cube(rig->scene), PART_BOTH,
@@ -508,6 +513,7 @@ static void techniques_darken_no_farther_than_their_reach(void **state)
 static void parts_of_many_lights_add_up_in_samples(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	rig_set_shadows(rig, &small_map);
 	add_things(rig->scene, PART_BOTH, false);
 	add_dimmed_lights(rig->scene);
@@ -596,6 +602,7 @@ static size_t forget_solids(struct sm_scene *scene)
 static void back_faces_of_solids_are_not_missed(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	struct sm_scene *hollow = sm_scene_create();
 	assert_non_null(hollow);
 	add_things(rig->scene, PART_BOTH, false);
@@ -609,6 +616,7 @@ static void back_faces_of_solids_are_not_missed(void **state)
 static void what_is_not_solid_shows_its_back(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	const struct sm_camera below = {{2, -3, 4}, {0, 0, 0}, {0, 1, 0}, 30, 0, 0};
 	struct visibility seen;
 	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_BOTH,
@@ -622,6 +630,7 @@ static void what_is_not_solid_shows_its_back(void **state)
 static void back_faces_in_built_in_scenes_are_not_missed(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	size_t solids = 0;
 	for (size_t i = 0; builtin_name(i) != NULL; i++) {
 		struct stage stage, hollow;
@@ -641,6 +650,7 @@ static void back_faces_in_built_in_scenes_are_not_missed(void **state)
 static void the_order_of_objects_does_not_matter(void **state)
 {
 	struct rig *rig = *state;
+	rig_skip_nothing(rig);
 	struct sm_scene *reversed = sm_scene_create();
 	assert_non_null(reversed);
 	sm_scene_set_environment(reversed, &(struct sm_environment){0});

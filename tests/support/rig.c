@@ -74,6 +74,11 @@ void rig_use_path(struct rig *rig, const char *path)
 	skip();
 }
 
+void rig_skip_nothing(struct rig *rig)
+{
+	assert_true(sm_renderer_set_skips(rig->renderer, "-all", NULL));
+}
+
 static bool has_extension(const char *name)
 {
 	GLint count = 0;

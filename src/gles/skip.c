@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+#include "gles/skip.h"
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+	const char *name, *summary;
+} infos[SKIP_COUNT] = {
+	[SKIP_FRAME] = {"frame", "a picture that would be the one that is there"},
+	[SKIP_LIGHT] = {"light", "what a light sees, while it and the objects stay as they are"},
+	[SKIP_POINTS] = {"points", "a light's visibility at points of a view that stays the same"},
+};
+
+const char *skip_name(size_t index)
+{
+	return index < SKIP_COUNT ? infos[index].name : NULL;
+}
+
+const char *skip_summary(size_t index)
+{
+	return index < SKIP_COUNT ? infos[index].summary : NULL;
+}
+
+static bool is_name(const char *item, size_t length, const char *name)
+{
+	return strlen(name) == length && memcmp(item, name, length) == 0;
+}
+
+/* "-name" or "+name", `length` characters. */
+static bool set_one(bool off[SKIP_COUNT], const char *item, size_t length, struct sm_error *error)
+{
+	char names[200] = "";
+	size_t used = 0;
+	bool found = false;
+	if (length == 0 || (item[0] != '-' && item[0] != '+'))
+		return error_set(error, SM_ERROR_INPUT,
+			"skips \"%.*s\": a list such as -name,+name is wanted",
+			(int)(length < 40 ? length : 40), item);
+	bool all = is_name(item + 1, length - 1, "all");
+	for (size_t i = 0; i < SKIP_COUNT; i++) {
+		if (all || is_name(item + 1, length - 1, infos[i].name)) {
+			off[i] = item[0] == '-';
+			found = true;
+		}
+		if (used < sizeof(names))
+			used += (size_t)snprintf(
+				names + used, sizeof(names) - used, " %s", infos[i].name);
+	}
+	return found || error_set(error, SM_ERROR_INPUT, "no skip \"%.*s\"; there are: all%s",
+				(int)(length < 41 ? length - 1 : 40), item + 1, names);
+}
+
+bool skips_set(struct skips *skips, const char *list, struct sm_error *error)
+{
+	bool off[SKIP_COUNT];
+	memcpy(off, skips->off, sizeof(off));
+	for (size_t length; list != NULL; list = list[length] == ',' ? list + length + 1 : NULL) {
+		length = strcspn(list, ",");
+		if (!set_one(off, list, length, error))
+			return false;
+	}
+	memcpy(skips->off, off, sizeof(off));
+	return true;
+}
+
+bool skip_take(struct skips *skips, enum skip skip, bool could)
+{
+	if (skips->off[skip])
+		return false;
+	skips->stats[skip].tested++;
+	skips->stats[skip].skipped += could;
+	return could;
+}

@@ -1,0 +1,289 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a renderer skips does not show: random scenes change at random from frame to frame, and each
+ * frame is drawn by a renderer that skips what it can and by one that skips nothing. Both must draw
+ * the same bytes.
+ */
+#include "canvas.h"
+#include "parts.h"
+#include "rig.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define SCENES 40
+#define FRAMES 25 /* of a scene */
+#define WIDTH 96
+#define HEIGHT 64
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
+
+static const struct sm_shadow_options choices[] = {
+	{.map_size = 128},
+	{.technique = "smoothie", .map_size = 128},
+	{.technique = "smoothie", .map_size = 100, .passes = 2, .width = 0.05f},
+	{.technique = "smoothie-two-sided", .map_size = 128},
+	{.technique = "penumbra-map", .map_size = 128},
+	{.technique = "hard", .map_size = 128},
+	{.technique = "pcf", .map_size = 128},
+	{.technique = "pcss", .map_size = 64},
+	{.technique = "vsm", .map_size = 128},
+	{.technique = "maps", .map_size = 64, .samples = 4},
+	{.technique = "gather", .map_size = 128},
+	{.technique = "gather", .map_size = 128, .sampling = SM_SAMPLING_SPARSE},
+	{.technique = "auto", .map_size = 128, .sampling = SM_SAMPLING_SPARSE},
+	{.precision = SM_PRECISION_HALF, .map_size = 64},
+};
+
+/* What a sequence of frames is drawn with. */
+struct run {
+	struct sm_renderer *skipping, *thorough;
+	struct canvas canvases[2]; /* of each */
+	struct sm_scene *scene;
+	uint32_t meshes[3], objects, lights;
+	struct sm_light_desc light[3];
+	struct sm_camera camera;
+	uint32_t visibility_of;
+	uint32_t state; /* of the generator */
+};
+
+/* xorshift (Marsaglia 2003). */
+static uint32_t next(struct run *run)
+{
+	run->state ^= run->state << 13;
+	run->state ^= run->state >> 17;
+	run->state ^= run->state << 5;
+	return run->state;
+}
+
+static uint32_t below(struct run *run, uint32_t end)
+{
+	return next(run) % end;
+}
+
+static float between(struct run *run, float low, float high)
+{
+	return low + (high - low) * (float)(next(run) >> 8) / (float)(1 << 24);
+}
+
+static struct pose random_pose(struct run *run)
+{
+	float size = between(run, 0.1f, 0.8f);
+	return (struct pose){
+		.scale = {size, between(run, 0.1f, 0.8f), size},
+		.turn = between(run, 0, 360),
+		.position = {between(run, -3, 3), between(run, 0, 2.5f), between(run, -3, 3)},
+	};
+}
+
+static void add_object(struct run *run)
+{
+	struct pose pose = random_pose(run);
+	parts_add_object(run->scene, run->meshes[below(run, 3)], 1 + below(run, PART_BOTH), &pose);
+	run->objects++;
+}
+
+static void move_object(struct run *run)
+{
+	float transform[16];
+	struct pose pose = random_pose(run);
+	pose_matrix(&pose, transform);
+	assert_true(sm_scene_set_transform(run->scene, below(run, run->objects), transform, NULL));
+}
+
+/* Mostly above the scene, at times far aside, so that its screen misses some objects. */
+static struct sm_light_desc random_light(struct run *run)
+{
+	float aside = below(run, 3) == 0 ? 8 : 3;
+	return (struct sm_light_desc){
+		.type = below(run, 3) == 0 ? SM_LIGHT_DIRECTIONAL : SM_LIGHT_SPOT,
+		.position = {between(run, -aside, aside), between(run, 3, 6),
+			between(run, -aside, aside)},
+		.target = {between(run, -2, 2), 0, between(run, -2, 2)},
+		.radius = below(run, 4) == 0 ? 0 : between(run, 0.05f, 0.8f),
+		.angle = between(run, 15, 100),
+		.softness = between(run, 0, 1),
+		.color = {1, between(run, 0, 1), between(run, 0, 1)},
+		.intensity = between(run, 0.2f, 1),
+	};
+}
+
+static void change_light(struct run *run)
+{
+	uint32_t light = below(run, run->lights);
+	struct sm_light_desc *desc = &run->light[light];
+	if (below(run, 3) > 0)
+		*desc = random_light(run);
+	else
+		desc->intensity = between(run, 0, 1);
+	assert_true(sm_scene_set_light(run->scene, light, desc, NULL));
+}
+
+/* At times so far from the origin that the scene is counted from elsewhere. */
+static void change_camera(struct run *run)
+{
+	float far = below(run, 8) == 0 ? 600.0f : 0.0f;
+	run->camera = (struct sm_camera){
+		.eye = {far + between(run, -6, 6), between(run, 0.5f, 5), between(run, -6, 6)},
+		.target = {far + between(run, -1, 1), 0.5f, 0},
+		.up = {0, 1, 0},
+		.fov = between(run, 20, 80),
+	};
+	if (far > 0.0f)
+		run->camera.near = 0.1f, run->camera.far = 1000.0f;
+}
+
+static void set_shadows(struct run *run)
+{
+	const struct sm_shadow_options *options = &choices[below(run, COUNT(choices))];
+	struct sm_error error;
+	if (!rig_can_draw(options->technique))
+		return;
+	if (!sm_renderer_set_shadows(run->skipping, options, &error) ||
+		!sm_renderer_set_shadows(run->thorough, options, &error))
+		fail_msg("%s", error.text);
+}
+
+static void set_environment(struct run *run)
+{
+	struct sm_environment environment = {
+		.sky = {between(run, 0, 0.3f), 0.1f, 0.1f},
+		.background = {between(run, 0, 1), 0, 0.2f},
+	};
+	sm_scene_set_environment(run->scene, &environment);
+}
+
+static void make_scene(struct run *run)
+{
+	run->scene = sm_scene_create();
+	assert_non_null(run->scene);
+	run->meshes[0] = parts_add_cube(run->scene);
+	run->meshes[1] = parts_add_sphere(run->scene, 5);
+	run->meshes[2] = parts_add_square(run->scene);
+	parts_add_object(run->scene, run->meshes[2], below(run, 4) == 0 ? PART_BOTH : PART_RECEIVES,
+		&(struct pose){.scale = {4, 1, 4}});
+	run->objects = 1;
+	for (uint32_t count = below(run, 6); run->objects < count;)
+		add_object(run);
+	run->lights = 1 + below(run, 3);
+	for (uint32_t i = 0; i < run->lights; i++) {
+		run->light[i] = random_light(run);
+		parts_add_light(run->scene, &run->light[i]);
+	}
+	run->visibility_of = SM_NONE;
+	change_camera(run);
+	set_environment(run);
+}
+
+/* One of what a program does between two frames, or nothing. */
+static void change(struct run *run)
+{
+	uint32_t what = below(run, 100);
+	if (what < 30)
+		change_camera(run);
+	else if (what < 50)
+		move_object(run);
+	else if (what < 65)
+		change_light(run);
+	else if (what < 70)
+		add_object(run);
+	else if (what < 75)
+		set_shadows(run);
+	else if (what < 78)
+		set_environment(run);
+	else if (what < 82)
+		run->visibility_of = below(run, 2) == 0 ? SM_NONE : below(run, run->lights);
+}
+
+static uint8_t *draw(struct run *run, struct sm_renderer *renderer, const struct canvas *canvas)
+{
+	struct sm_error error;
+	const struct sm_view view = {
+		.camera = run->camera,
+		.framebuffer = canvas->framebuffer,
+		.width = WIDTH,
+		.height = HEIGHT,
+		.visibility_of = run->visibility_of,
+	};
+	if (!sm_renderer_is_current(renderer, run->scene, &view) &&
+		!sm_renderer_draw(renderer, run->scene, &view, &error))
+		fail_msg("%s", error.text);
+	return canvas_read(canvas);
+}
+
+static void draw_by_both(struct run *run, uint32_t scene, uint32_t frame)
+{
+	uint8_t *skipped = draw(run, run->skipping, &run->canvases[0]);
+	uint8_t *thorough = draw(run, run->thorough, &run->canvases[1]);
+	for (size_t i = 0; i < (size_t)WIDTH * HEIGHT * 4; i++)
+		if (skipped[i] != thorough[i])
+			fail_msg("scene %u, frame %u: byte %zu is %d, and %d without skips", scene,
+				frame, i, skipped[i], thorough[i]);
+	free(skipped);
+	free(thorough);
+}
+
+/* sRGB, where lights add up in place, but every third time; that has several samples at times. */
+static void init_canvases(struct run *run, uint32_t scene)
+{
+	for (int i = 0; i < 2; i++)
+		if (scene % 6 == 1)
+			canvas_init_multisampled(
+				&run->canvases[i], GL_SRGB8_ALPHA8, WIDTH, HEIGHT, 4);
+		else
+			canvas_init(&run->canvases[i], scene % 3 == 0 ? GL_RGBA8 : GL_SRGB8_ALPHA8,
+				WIDTH, HEIGHT);
+}
+
+static void play(struct run *run, uint32_t scene)
+{
+	make_scene(run);
+	init_canvases(run, scene);
+	set_shadows(run);
+	for (uint32_t frame = 0; frame < FRAMES; frame++) {
+		draw_by_both(run, scene, frame);
+		change(run);
+	}
+	canvas_finish(&run->canvases[0]);
+	canvas_finish(&run->canvases[1]);
+	sm_scene_destroy(run->scene);
+}
+
+/* A skip that never happens, or always does, has not been tested. */
+static void check_counts(const struct run *run)
+{
+	for (size_t i = 0; sm_skip_name(i) != NULL; i++) {
+		struct sm_skip_stats stats, none;
+		sm_renderer_get_skip_stats(run->skipping, i, &stats);
+		sm_renderer_get_skip_stats(run->thorough, i, &none);
+		print_message("%s: %llu of %llu skipped\n", sm_skip_name(i),
+			(unsigned long long)stats.skipped, (unsigned long long)stats.tested);
+		assert_true(stats.skipped > 0 && stats.skipped < stats.tested);
+		assert_int_equal(none.tested, 0);
+	}
+}
+
+static void skips_do_not_show(void **state)
+{
+	struct rig *rig = *state;
+	struct run run = {.skipping = rig->renderer, .state = 0x2545f491};
+	rig->renderer = NULL;
+	rig_use_driver(rig, &(struct sm_driver_options){0});
+	run.thorough = rig->renderer;
+	assert_true(sm_renderer_set_skips(run.thorough, "-all", NULL));
+	for (uint32_t scene = 0; scene < SCENES; scene++)
+		play(&run, scene);
+	check_counts(&run);
+	sm_renderer_destroy(run.skipping);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		rig_test(skips_do_not_show),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
