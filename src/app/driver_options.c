@@ -2,20 +2,22 @@
 #include "app/driver_options.h"
 #include "base/array.h"
 #include "platform.h"
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool add_caps(struct driver_options *options, const char *list, struct sm_error *error)
+/* Adds "SIGNitem" to a list, behind a comma. */
+static bool append(char **list, const char *sign, const char *item, struct sm_error *error)
 {
-	const char *before = options->caps != NULL ? options->caps : "";
-	size_t size = strlen(before) + strlen(list) + 2;
+	const char *before = *list != NULL ? *list : "";
+	size_t size = strlen(before) + strlen(sign) + strlen(item) + 2;
 	char *joined = array_alloc(size, 1);
 	if (joined == NULL)
 		return error_no_memory(error);
-	snprintf(joined, size, "%s%s%s", before, before[0] != '\0' ? "," : "", list);
-	free(options->caps);
-	options->caps = joined;
+	snprintf(joined, size, "%s%s%s%s", before, before[0] != '\0' ? "," : "", sign, item);
+	free(*list);
+	*list = joined;
 	return true;
 }
 
@@ -23,7 +25,9 @@ bool driver_options_flag(
 	struct driver_options *options, int id, const char *value, struct sm_error *error)
 {
 	if (id == FLAG_CAPS)
-		return add_caps(options, value, error);
+		return append(&options->caps, "", value, error);
+	if (id == FLAG_NO_SKIP)
+		return append(&options->skips, "-", value, error);
 	if (!array_reserve((void **)&options->paths, &options->path_capacity,
 		    options->path_count + 1, sizeof(*options->paths)))
 		return error_no_memory(error);
@@ -34,6 +38,7 @@ bool driver_options_flag(
 void driver_options_finish(struct driver_options *options)
 {
 	free(options->caps);
+	free(options->skips);
 	free(options->paths);
 	*options = (struct driver_options){0};
 }
@@ -47,5 +52,20 @@ struct sm_renderer *driver_options_renderer(
 	const struct driver_options *options, struct sm_error *error)
 {
 	struct sm_driver_options driver = driver_options_get(options);
-	return sm_renderer_create_with(platform_get_proc, &driver, error);
+	struct sm_renderer *renderer = sm_renderer_create_with(platform_get_proc, &driver, error);
+	if (renderer == NULL || sm_renderer_set_skips(renderer, options->skips, error))
+		return renderer;
+	sm_renderer_destroy(renderer);
+	return NULL;
+}
+
+void driver_options_describe_skips(const struct sm_renderer *renderer, struct facts *facts)
+{
+	for (size_t i = 0; sm_skip_name(i) != NULL; i++) {
+		struct sm_skip_stats stats;
+		char key[50];
+		sm_renderer_get_skip_stats(renderer, i, &stats);
+		snprintf(key, sizeof(key), "skipped, %s", sm_skip_name(i));
+		facts_format(facts, key, "%" PRIu64 " of %" PRIu64, stats.skipped, stats.tested);
+	}
 }

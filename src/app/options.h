@@ -28,6 +28,7 @@ enum {
 	FLAG_DEBUG,
 	FLAG_CAPS, /**< driver_options.h */
 	FLAG_PATH,
+	FLAG_NO_SKIP, /**< likewise */
 	FLAG_OWN, /**< subcommands count on from here */
 };
 

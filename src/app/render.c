@@ -40,6 +40,7 @@ static const struct flag flags[] = {
 	{FLAG_FPS, "fps", "F", "frames a second of the scene's time, with --frames; default: 25"},
 	{FLAG_STATS, "stats", NULL, "print times and counts"},
 	DRIVER_FLAGS,
+	SKIP_FLAG,
 	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
 };
@@ -88,6 +89,7 @@ static bool read_flag(
 		return scene_options_flag(&options->scene, &render_command, id, value, error);
 	case FLAG_CAPS:
 	case FLAG_PATH:
+	case FLAG_NO_SKIP:
 		return driver_options_flag(&options->driver, id, value, error);
 	case FLAG_VISIBILITY:
 		options->visibility_of = 0;
@@ -269,13 +271,10 @@ static bool set_time(struct stage *stage, const struct render_options *options, 
 	return stage_set_time(stage, motion_time(number, rate, options->rate_divisor), error);
 }
 
-static bool render_frame(struct render *render, const struct render_options *options,
-	uint32_t number, struct sm_error *error)
+/* Into pixels, unless that is the picture that they hold. */
+static bool draw_frame(struct render *render, const struct render_options *options, bool first,
+	struct sm_error *error)
 {
-	char path[PATH_MAX];
-	if (!output_path(options, number, path, error) ||
-		!set_time(&render->stage, options, number, error))
-		return false;
 	struct sm_view view = {
 		.camera = render->stage.camera,
 		.framebuffer = render->target.framebuffer,
@@ -283,15 +282,27 @@ static bool render_frame(struct render *render, const struct render_options *opt
 		.height = render->target.height,
 		.visibility_of = options->visibility_of,
 	};
+	if (sm_renderer_is_current(render->renderer, render->stage.scene, &view))
+		return true;
 	if (!sm_renderer_draw(render->renderer, render->stage.scene, &view, error))
 		return false;
 	glFinish();
-	stopwatch_lap(&render->stopwatch, number == 1 ? "first frame" : "further frames");
+	stopwatch_lap(&render->stopwatch, first ? "first frame" : "further frames");
 	target_resolve(&render->target);
 	if (!target_read(&render->target, render->pixels, error))
 		return false;
 	stopwatch_lap(&render->stopwatch, "read back");
-	if (!write_frame(render, options, path, error))
+	return true;
+}
+
+static bool render_frame(struct render *render, const struct render_options *options,
+	uint32_t number, struct sm_error *error)
+{
+	char path[PATH_MAX];
+	if (!output_path(options, number, path, error) ||
+		!set_time(&render->stage, options, number, error) ||
+		!draw_frame(render, options, number == 1, error) ||
+		!write_frame(render, options, path, error))
 		return false;
 	stopwatch_lap(&render->stopwatch, "write PNG");
 	return true;
@@ -329,6 +340,7 @@ static void print_stats(const struct render *render, FILE *file)
 	facts_format(&facts, "fin vertices", "%" PRIu64, stats.fin_vertices);
 	facts_format(&facts, "uploaded bytes", "%" PRIu64, stats.uploaded_bytes);
 	facts_format(&facts, "silhouette time", "%.3f ms", stats.silhouette_ms);
+	driver_options_describe_skips(render->renderer, &facts);
 	facts_format(&facts, "programs compiled", "%" PRIu32, stats.programs_compiled);
 	facts_format(&facts, "programs loaded", "%" PRIu32, stats.programs_loaded);
 	facts_end(&facts);

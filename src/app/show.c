@@ -50,6 +50,7 @@ static const struct flag flags[] = {
 	{FLAG_FRAMES, "frames", "N", "end after N frames; default: run until a signal"},
 	{FLAG_STATS, "stats", NULL, "print counts and times at the end, and on SIGUSR1"},
 	DRIVER_FLAGS,
+	SKIP_FLAG,
 	COMMON_FLAGS,
 };
 
@@ -129,6 +130,7 @@ static bool read_flag(
 		return scene_options_flag(&options->scene, &show_command, id, value, error);
 	case FLAG_CAPS:
 	case FLAG_PATH:
+	case FLAG_NO_SKIP:
 		return driver_options_flag(&options->driver, id, value, error);
 	case FLAG_FRAMES:
 		return options_number(value, 1, INT32_MAX, &options->frames) ||
@@ -181,11 +183,13 @@ static bool catch_signals(struct show *show, struct sm_error *error)
 	       error_set(error, SM_ERROR_MACHINE, "cannot wait for signals (%s)", strerror(errno));
 }
 
-static void print_programs(const struct show *show, struct facts *facts)
+static void print_renderer(const struct show *show, struct facts *facts)
 {
 	struct sm_frame_stats stats = {0};
-	if (show->renderer != NULL)
+	if (show->renderer != NULL) {
 		sm_renderer_get_stats(show->renderer, &stats);
+		driver_options_describe_skips(show->renderer, facts);
+	}
 	facts_format(facts, "programs compiled", "%" PRIu32, stats.programs_compiled);
 	facts_format(facts, "programs loaded", "%" PRIu32, stats.programs_loaded);
 }
@@ -205,7 +209,7 @@ static void print_stats(const struct show *show)
 	facts_format(&facts, "missed vblanks", "%" PRIu64, stats.missed);
 	facts_format(&facts, "outside GL", "%.3f ms a frame", stats.overhead / flips);
 	facts_format(&facts, "processor time", "%.1f ms", stopwatch_processor_time());
-	print_programs(show, &facts);
+	print_renderer(show, &facts);
 	facts_end(&facts);
 }
 
