@@ -113,7 +113,7 @@ static bool add_fins(
 {
 	const struct fixed_screen screen = {exact->fixed.map_size, exact->fixed.map_size, 1};
 	const struct fin_shape shape = {.width = view->fin_width, .share = SMOOTHIE_WIDTH_SHARE};
-	if (!fin_set_find(&exact->fins, scene, view->frame, &shape, view->map_size))
+	if (!fin_set_find(&exact->fins, scene, view->frame, &shape, view->map_size, false))
 		return false;
 	for (size_t first = 0; first < exact->fins.vertex_count; first += 4) {
 		struct fixed_fin_corner corners[4];

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/array.h"
 #include "scene/camera.h"
+#include "scene/light_reach.h"
 #include "sparse_pass.h"
+#include <float.h>
 #include <string.h>
 
 static float encode_srgb(float c)
@@ -39,7 +41,8 @@ static void set_pass_state(struct gl *gl, bool first)
 
 static void choose_light(struct surface_pass *pass, uint32_t index, struct shadowed_light *light)
 {
-	pass->light = &pass->scene->lights[index].desc;
+	/* Whose space is that of the surfaces even so: rounding is the same then. */
+	pass->light = light->left_out ? NULL : &pass->scene->lights[index].desc;
 	pass->frame = &light->frame;
 	pass->shadow = light->shadow;
 	pass->cells = light->sparse ? &light->cells : NULL;
@@ -61,6 +64,58 @@ static bool draw_sparsely(const struct surface_pass *view, uint32_t index,
 	return sparse_pass_draw(&pass, light, seen, error);
 }
 
+/* Of 8 bits, where light is added up as sRGB: what is less than half a step changes no pixel, and
+ * drivers round a step's place by less than a quarter of one. */
+#define GREY_STEP (1.0f / (255.0f * 12.92f))
+#define DIM_MAX (GREY_STEP / 4.0f)
+
+/* Whether a light of the picture changes any pixel. The first is added to the ambient light before
+ * the sum is rounded. */
+static bool find_left_out(const struct surface_pass *pass, const struct view_volume *volume,
+	uint32_t index, struct shadowed_light *light)
+{
+	struct skips *skips = &pass->renderer->gpu.skips;
+	light->left_out = false;
+	if (pass->flags & FLAG_VISIBILITY)
+		return true;
+	float limit = index == 0 ? FLT_MIN : DIM_MAX;
+	float brightest = light_brightest(
+		&pass->scene->lights[index].desc, &light->frame, pass->scene, volume, limit);
+	light->left_out =
+		skip_take(skips, SKIP_VIEW, brightest == 0.0f) ||
+		(index > 0 && brightest > 0.0f && skip_take(skips, SKIP_DIM, brightest < limit));
+	return brightest >= limit;
+}
+
+/* The light's shadow, in the shadow set and, where it is sparse, at points. */
+static bool draw_shadow(const struct surface_pass *pass, uint32_t first, uint32_t index,
+	const struct technique_view *view, struct sm_error *error)
+{
+	struct sm_renderer *renderer = pass->renderer;
+	struct shadowed_light *light = &renderer->lights[index - first];
+	const struct shadow_request request = {.local = &renderer->local,
+		.index = index - first,
+		.frame = &light->frame,
+		.view = view};
+	light->shadow = shadow_set_prepare(&renderer->shadows, &renderer->gpu, &request, error);
+	if (light->shadow == NULL)
+		return false;
+	renderer->gpu.stats.lights++;
+	return draw_sparsely(pass, index, light, view, error);
+}
+
+static bool reserve_lights(struct sm_renderer *renderer, uint32_t count)
+{
+	size_t known = renderer->light_capacity;
+	if (!array_reserve((void **)&renderer->lights, &renderer->light_capacity, count,
+		    sizeof(*renderer->lights)))
+		return false;
+	if (known < renderer->light_capacity)
+		memset(renderer->lights + known, 0,
+			(renderer->light_capacity - known) * sizeof(*renderer->lights));
+	return true;
+}
+
 /* Shadow maps of lights first .. last - 1, into renderer->lights. */
 static bool draw_shadows(
 	const struct surface_pass *pass, uint32_t first, uint32_t last, struct sm_error *error)
@@ -70,28 +125,20 @@ static bool draw_shadows(
 		.width = pass->width,
 		.height = pass->height,
 		.visibility = pass->flags & FLAG_VISIBILITY};
-	size_t known = renderer->light_capacity;
-	if (!array_reserve((void **)&renderer->lights, &renderer->light_capacity, last - first,
-		    sizeof(*renderer->lights)))
+	struct view_volume volume;
+	view_volume_init(&volume, pass->world_to_clip);
+	if (!reserve_lights(renderer, last - first))
 		return error_no_memory(error);
-	if (known < renderer->light_capacity)
-		memset(renderer->lights + known, 0,
-			(renderer->light_capacity - known) * sizeof(*renderer->lights));
-	for (uint32_t i = 0; i < last - first; i++) {
-		struct shadowed_light *light = &renderer->lights[i];
+	for (uint32_t i = first; i < last; i++) {
+		struct shadowed_light *light = &renderer->lights[i - first];
 		(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
-			&light->frame, &pass->scene->lights[first + i].desc, pass->scene);
-		const struct shadow_request request = {.local = &renderer->local,
-			.index = i,
-			.frame = &light->frame,
-			.view = &view};
-		light->shadow =
-			shadow_set_prepare(&renderer->shadows, &renderer->gpu, &request, error);
-		if (light->shadow == NULL)
+			&light->frame, &pass->scene->lights[i].desc, pass->scene);
+		bool shows = find_left_out(pass, &volume, i, light);
+		if (!light->left_out && !draw_shadow(pass, first, i, &view, error))
 			return false;
-		renderer->gpu.stats.lights++;
-		if (!draw_sparsely(pass, first + i, light, &view, error))
-			return false;
+		/* Left out or not, so that the choices after are the same. */
+		if (!shows)
+			shadow_set_leave(&renderer->shadows, i - first);
 	}
 	return true;
 }
@@ -119,7 +166,10 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 	if (first == last)
 		return surface_pass_draw(pass, error);
 	for (uint32_t i = first; i < last; i++) {
-		choose_light(pass, i, &renderer->lights[i - first]);
+		struct shadowed_light *light = &renderer->lights[i - first];
+		if (light->left_out && !pass->first)
+			continue;
+		choose_light(pass, i, light);
 		if (!surface_pass_draw(pass, error))
 			return false;
 		pass->first = false;

@@ -18,6 +18,7 @@ struct points_key {
 /** A light of the frame. */
 struct shadowed_light {
 	struct light_frame frame;
+	bool left_out;               /* nothing of it is drawn; the rest is of an earlier frame */
 	struct light_shadow *shadow; /* in the shadow set */
 	bool sparse;   /* whether its visibility is first drawn at points of the view */
 	uint32_t idle; /* frames in which it was not */

@@ -253,3 +253,9 @@ struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,
 	shadow->drawn = draw(technique, shadow->state, gpu, request, error);
 	return shadow->drawn ? shadow : NULL;
 }
+
+void shadow_set_leave(struct shadow_set *set, size_t index)
+{
+	if (index < set->count && set->technique->leave != NULL)
+		set->technique->leave(set->shadows[index]->state);
+}

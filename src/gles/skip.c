@@ -8,6 +8,9 @@ static const struct {
 } infos[SKIP_COUNT] = {
 	[SKIP_FRAME] = {"frame", "a picture that would be the one that is there"},
 	[SKIP_LIGHT] = {"light", "what a light sees, while it and the objects stay as they are"},
+	[SKIP_CASTER] = {"caster", "an object that is beside a light's screen"},
+	[SKIP_VIEW] = {"view", "a light that reaches nothing in the view"},
+	[SKIP_DIM] = {"dim", "a light, after the first, that adds less than rounding takes away"},
 	[SKIP_POINTS] = {"points", "a light's visibility at points of a view that stays the same"},
 };
 
@@ -63,11 +66,16 @@ bool skips_set(struct skips *skips, const char *list, struct sm_error *error)
 	return true;
 }
 
-bool skip_take(struct skips *skips, enum skip skip, bool could)
+void skip_count(struct skips *skips, enum skip skip, size_t tested, size_t skipped)
 {
 	if (skips->off[skip])
-		return false;
-	skips->stats[skip].tested++;
-	skips->stats[skip].skipped += could;
-	return could;
+		return;
+	skips->stats[skip].tested += tested;
+	skips->stats[skip].skipped += skipped;
+}
+
+bool skip_take(struct skips *skips, enum skip skip, bool could)
+{
+	skip_count(skips, skip, 1, could);
+	return could && !skips->off[skip];
 }

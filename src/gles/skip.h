@@ -9,6 +9,9 @@ enum skip {
 	SKIP_FRAME,
 	SKIP_LIGHT,
 	SKIP_POINTS,
+	SKIP_CASTER,
+	SKIP_VIEW,
+	SKIP_DIM,
 	SKIP_COUNT,
 };
 
@@ -27,5 +30,8 @@ bool skips_set(struct skips *skips, const char *list, struct sm_error *error);
 
 /** Whether something is skipped, that could be or not; counts it. One that is off tests nothing. */
 bool skip_take(struct skips *skips, enum skip skip, bool could);
+
+/** The same of so many at once, of which some were skipped. */
+void skip_count(struct skips *skips, enum skip skip, size_t tested, size_t skipped);
 
 #endif

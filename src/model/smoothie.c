@@ -83,7 +83,7 @@ static bool fill(struct smoothie_model *model, const struct model_light *light,
 		return false;
 	model->texels = array_alloc(count, sizeof(*model->texels));
 	if (model->texels == NULL || !fin_set_find(&model->fins, light->scene, &light->frame, shape,
-					     light->options.map_size))
+					     light->options.map_size, false))
 		return error_no_memory(error);
 	for (size_t i = 0; i < count; i++)
 		model->texels[i] = (struct soft_texel){1.0f, 1.0f};

@@ -86,7 +86,7 @@ static bool init(void *state, const struct model_light *light, struct sm_error *
 		return false;
 	model->texels = array_alloc(count, sizeof(*model->texels));
 	if (model->texels == NULL || !fin_set_find(&model->fins, light->scene, &light->frame,
-					     &shape, light->options.map_size))
+					     &shape, light->options.map_size, false))
 		return error_no_memory(error);
 	for (size_t i = 0; i < count; i++)
 		model->texels[i] = (struct edge_texel){.depth = 1.0, .nearness = 1.0f};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/fin_set.h"
 #include "base/array.h"
+#include "scene/light_reach.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -81,28 +82,51 @@ size_t fin_set_bytes(const struct fin_set *set)
 	       set->vertex_capacity * sizeof(*set->vertices) + fin_scratch_bytes(&set->scratch);
 }
 
-bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size)
+/* A bound on how far a fin goes from its silhouette, NDC: at a corner it is longer than wide. What
+ * is nearer than the near plane has none. */
+static float fin_reach(const struct fin_params *params, const struct light_frame *frame)
 {
-	set->vertex_count = 0;
-	set->edge_count = 0;
+	float widest = params->width == FIN_WIDTH_PERSPECTIVE ? params->scale / frame->near
+							      : params->scale;
+	return 1.5f * (widest + params->apron);
+}
+
+/* Appends the fins of one caster. */
+static bool add_caster(struct fin_set *set, const struct caster *caster,
+	const struct light_frame *frame, const struct object *object,
+	const struct fin_params *params)
+{
+	mat4 to_object;
+	vec4 light;
+	size_t edge_count;
+	glm_mat4_inv((vec4 *)object->transform, to_object);
+	glm_mat4_mulv(to_object, (float *)frame->origin, light);
+	if (!find_silhouettes(set, caster, light, &edge_count) ||
+		!append_fins(set, caster, edge_count, params))
+		return false;
+	set->edge_count += edge_count;
+	return true;
+}
+
+bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size,
+	bool on_screen)
+{
+	set->vertex_count = set->edge_count = set->caster_count = set->missing_count = 0;
 	if (!fin_shape_has_width(shape, frame))
 		return true;
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
+		const struct mesh *mesh = &scene->meshes[object->mesh];
 		if (!object->casts)
 			continue;
-		const struct caster *caster = &scene->meshes[object->mesh].caster;
-		mat4 to_object;
-		vec4 light;
-		size_t edge_count;
-		glm_mat4_inv((vec4 *)object->transform, to_object);
-		glm_mat4_mulv(to_object, (float *)frame->origin, light);
 		struct fin_params params = fin_params_of(frame, object, shape, map_size);
-		if (!find_silhouettes(set, caster, light, &edge_count) ||
-			!append_fins(set, caster, edge_count, &params))
+		set->caster_count++;
+		if (on_screen && mesh_misses_screen(mesh, (vec4 *)object->transform,
+					 (vec4 *)frame->world_to_clip, fin_reach(&params, frame)))
+			set->missing_count++;
+		else if (!add_caster(set, &mesh->caster, frame, object, &params))
 			return false;
-		set->edge_count += edge_count;
 	}
 	return true;
 }

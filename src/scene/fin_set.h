@@ -27,7 +27,8 @@ bool fin_shape_has_width(const struct fin_shape *shape, const struct light_frame
 struct fin_set {
 	struct fin_vertex *vertices; /* quads of four, in order around; owned */
 	size_t vertex_count;
-	size_t edge_count; /* of silhouettes that they are on */
+	size_t edge_count;                  /* of silhouettes that they are on */
+	size_t caster_count, missing_count; /* casters, and those that were left out */
 	/* Working memory; owned */
 	uint64_t *facing;
 	struct silhouette_edge *edges;
@@ -41,9 +42,10 @@ void fin_set_finish(struct fin_set *set);
 size_t fin_set_bytes(const struct fin_set *set);
 
 /** Finds the silhouettes of all casters and builds their fins: none for a point light whose fins
- * get their width from it. map_size: texels a side that they are drawn over. False: out of memory.
- */
+ * get their width from it. map_size: texels a side that they are drawn over. on_screen: of those
+ * casters alone whose fins may be on the light's screen. False: out of memory. */
 bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size);
+	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size,
+	bool on_screen);
 
 #endif

@@ -19,7 +19,7 @@ struct choice {
 	void *states[PICKS]; /* owned; NULL: not in use */
 	enum pick pick;      /* that the last frame was drawn with */
 	uint32_t idle;       /* frames since the other one was */
-	uint64_t scene;      /* that the last frame was of */
+	uint64_t scene;      /* that the last frame was of; 0: the light did not show */
 };
 
 static bool auto_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
@@ -75,6 +75,15 @@ static bool auto_choose(
 		give_back(choice, gpu, pick == PICK_HARD ? PICK_SOFT : PICK_HARD);
 	gpu->stats.hard_lights += pick == PICK_HARD;
 	return changed;
+}
+
+static void auto_leave(void *state)
+{
+	struct choice *choice = state;
+	choice->scene = 0;
+	for (enum pick pick = 0; pick < PICKS; pick++)
+		if (choice->states[pick] != NULL && picks[pick]->leave != NULL)
+			picks[pick]->leave(choice->states[pick]);
 }
 
 static bool auto_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
@@ -135,6 +144,7 @@ const struct technique technique_auto = {
 	.init = auto_init,
 	.finish = auto_finish,
 	.choose = auto_choose,
+	.leave = auto_leave,
 	.prepare = auto_prepare,
 	.surface_flags = auto_surface_flags,
 	.soft_grid = auto_soft_grid,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/depth_map.h"
+#include "scene/light_reach.h"
 #include <string.h>
 
 /* No caster is before the near plane: there, from this share of its distance on, all is alike. */
@@ -114,6 +115,14 @@ bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content 
 	return false;
 }
 
+bool depth_map_misses(struct gpu *gpu, const struct sm_scene *scene, const struct object *object,
+	const struct light_frame *frame)
+{
+	return skip_take(&gpu->skips, SKIP_CASTER,
+		mesh_misses_screen(&scene->meshes[object->mesh], (vec4 *)object->transform,
+			(vec4 *)frame->world_to_clip, 0.0f));
+}
+
 static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content,
 	const struct program *program)
@@ -121,7 +130,7 @@ static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
 	struct gl *gl = &gpu->gl;
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
-		if (!has_content(object, content))
+		if (!has_content(object, content) || depth_map_misses(gpu, scene, object, frame))
 			continue;
 		mat4 to_clip;
 		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);

@@ -46,6 +46,10 @@ enum depth_map_content {
 /** True if the scene has objects of that kind. */
 bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content content);
 
+/** Whether an object is skipped, since nothing of it is on the light's screen. */
+bool depth_map_misses(struct gpu *gpu, const struct sm_scene *scene, const struct object *object,
+	const struct light_frame *frame);
+
 /** Clears the map and draws the objects into its inside. */
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error);

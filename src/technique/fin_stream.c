@@ -70,8 +70,11 @@ bool fin_stream_update(struct fin_stream *stream, struct gpu *gpu, const struct 
 		return true;
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
-	bool built = fin_set_find(&stream->set, scene, frame, shape, (uint32_t)map_size);
+	bool built = fin_set_find(&stream->set, scene, frame, shape, (uint32_t)map_size,
+		!gpu->skips.off[SKIP_CASTER]);
 	if (built) {
+		skip_count(&gpu->skips, SKIP_CASTER, stream->set.caster_count,
+			stream->set.missing_count);
 		mark_fins(stream, map_size);
 		gpu->stats.silhouette_edges += stream->set.edge_count;
 		gpu->stats.silhouette_ms += processor_ms() - start;

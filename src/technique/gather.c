@@ -32,7 +32,7 @@ struct gather {
 	enum sm_sampling sampling;
 	float depth_noise;
 	bool told;      /* that edges are left out */
-	uint64_t scene; /* that the last frame was of */
+	uint64_t scene; /* that the last frame was of; 0: the light did not show */
 	uint32_t map_size, subpixel_bits;
 };
 
@@ -97,6 +97,8 @@ static void draw_sheets(struct gpu *gpu, const struct sm_scene *scene,
 		if (!object->casts)
 			continue;
 		mat4 to_clip;
+		if (depth_map_misses(gpu, scene, object, frame))
+			continue;
 		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
 		gl->UniformMatrix4fv(program->uniform.object_to_clip, 1, GL_FALSE, to_clip[0]);
 		struct sheet_rule rule = mesh_sheet_rule(
@@ -347,6 +349,12 @@ static bool gather_is_sparse(void *state, const struct sm_scene *scene,
 	return !gather->point && gather->sparse;
 }
 
+static void gather_leave(void *state)
+{
+	struct gather *gather = state;
+	gather->scene = 0;
+}
+
 static size_t gather_geometry_bytes(const void *state)
 {
 	const struct gather *gather = state;
@@ -392,6 +400,7 @@ const struct technique technique_gather = {
 	.fits_screen = true,
 	.init = gather_init,
 	.finish = gather_finish,
+	.leave = gather_leave,
 	.prepare = gather_prepare,
 	.surface_flags = gather_surface_flags,
 	.soft_grid = gather_soft_grid,

@@ -107,7 +107,7 @@ static struct sm_light_desc random_light(struct run *run)
 		.angle = between(run, 15, 100),
 		.softness = between(run, 0, 1),
 		.color = {1, between(run, 0, 1), between(run, 0, 1)},
-		.intensity = between(run, 0.2f, 1),
+		.intensity = below(run, 6) == 0 ? 1e-5f : between(run, 0.2f, 1),
 	};
 }
 

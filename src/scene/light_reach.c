@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/light_reach.h"
+#include <float.h>
+
+/* By how much the view and cones are widened, of their size at a place, and by how much of the
+ * coordinates there: floats are rounded in other ways where surfaces are drawn. */
+#define WIDENING 1e-3f
+#define ROUNDING 1e-5f
+
+/* Of a quad cut by six planes: each adds one, and rounding may double that. */
+#define FACE_CORNERS_MAX 32
+/* Of all faces, and of the view. */
+#define PART_CORNERS_MAX (6 * FACE_CORNERS_MAX + 8)
+
+/* Where the planes w = s[axis] p[axis] of clip space meet, by Cramer's rule. */
+static void find_corner(mat4 m, const int s[3], vec3 corner)
+{
+	double plane[3][4];
+	for (int axis = 0; axis < 3; axis++)
+		for (int column = 0; column < 4; column++)
+			plane[axis][column] = (double)m[column][axis] * s[axis] - m[column][3];
+	double cross[3][3];
+	for (int i = 0; i < 3; i++) {
+		const double *a = plane[(i + 1) % 3], *b = plane[(i + 2) % 3];
+		for (int j = 0; j < 3; j++)
+			cross[i][j] =
+				a[(j + 1) % 3] * b[(j + 2) % 3] - a[(j + 2) % 3] * b[(j + 1) % 3];
+	}
+	double det =
+		plane[0][0] * cross[0][0] + plane[0][1] * cross[0][1] + plane[0][2] * cross[0][2];
+	for (int j = 0; j < 3; j++) {
+		double sum = 0.0;
+		for (int i = 0; i < 3; i++)
+			sum -= plane[i][3] * cross[i][j];
+		corner[j] = det != 0.0 ? (float)(sum / det) : NAN;
+	}
+}
+
+void view_volume_init(struct view_volume *volume, mat4 world_to_clip)
+{
+	glm_mat4_copy(world_to_clip, volume->world_to_clip);
+	for (int i = 0; i < 8; i++) {
+		const int s[3] = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
+		find_corner(volume->world_to_clip, s, volume->corners[i]);
+	}
+}
+
+/* How far inside one of six sides of the view a point is: w + p[axis] or w - p[axis] of clip space.
+ */
+static float inside_view(mat4 world_to_clip, vec3 p, int side)
+{
+	vec4 clip;
+	glm_mat4_mulv(world_to_clip, (vec4){p[0], p[1], p[2], 1.0f}, clip);
+	float along = side % 2 == 0 ? clip[side / 2] : -clip[side / 2];
+	float slack = ROUNDING * (fabsf(world_to_clip[3][3]) + fabsf(world_to_clip[3][side / 2]));
+	return (1.0f + WIDENING) * clip[3] + along + slack;
+}
+
+/* Keeps what of a convex polygon is inside one side of the view (Sutherland & Hodgman 1974). */
+static int clip_face(
+	mat4 world_to_clip, int side, vec3 *corners, int count, vec3 clipped[FACE_CORNERS_MAX])
+{
+	int kept = 0;
+	for (int i = 0; i < count && kept + 2 <= FACE_CORNERS_MAX; i++) {
+		float *p = corners[i], *q = corners[(i + 1) % count];
+		float inside_p = inside_view(world_to_clip, p, side);
+		float inside_q = inside_view(world_to_clip, q, side);
+		if (inside_p >= 0.0f)
+			glm_vec3_copy(p, clipped[kept++]);
+		/* One is below 0 and the other is not: the divisor is neither's 0. */
+		if ((inside_p >= 0.0f) != (inside_q >= 0.0f))
+			glm_vec3_lerp(p, q, inside_p / (inside_p - inside_q), clipped[kept++]);
+	}
+	return kept;
+}
+
+/* What of one face of a box is seen; returns the number of corners. */
+static int see_face(const struct view_volume *volume, const struct object *object, int face,
+	vec3 seen[FACE_CORNERS_MAX])
+{
+	vec3 corners[2][FACE_CORNERS_MAX];
+	int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, count = 4;
+	for (int i = 0; i < 4; i++) {
+		corners[0][i][axis] = face % 2 ? object->max[axis] : object->min[axis];
+		corners[0][i][u] = i == 1 || i == 2 ? object->max[u] : object->min[u];
+		corners[0][i][v] = i >= 2 ? object->max[v] : object->min[v];
+	}
+	for (int side = 0; side < 6 && count > 0; side++)
+		count = clip_face((vec4 *)volume->world_to_clip, side, corners[side % 2], count,
+			corners[1 - side % 2]);
+	for (int i = 0; i < count; i++)
+		glm_vec3_copy(corners[0][i], seen[i]);
+	return count;
+}
+
+/* True for NaN too. */
+static bool is_in_box(const struct object *object, const float p[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		float slack = WIDENING * (object->max[axis] - object->min[axis]) +
+			      ROUNDING * fabsf(p[axis]);
+		if (p[axis] < object->min[axis] - slack || p[axis] > object->max[axis] + slack)
+			return false;
+	}
+	return true;
+}
+
+/* Corners of the convex part of an object's box that is seen: of its faces, and of the view, where
+ * they lie in the box. Returns their number. */
+static int see_box(
+	const struct view_volume *volume, const struct object *object, vec3 seen[PART_CORNERS_MAX])
+{
+	int count = 0;
+	for (int face = 0; face < 6; face++)
+		count += see_face(volume, object, face, &seen[count]);
+	for (int i = 0; i < 8; i++)
+		if (is_in_box(object, volume->corners[i]))
+			glm_vec3_copy((float *)volume->corners[i], seen[count++]);
+	return count;
+}
+
+/* How far a point is beside one of the cone's four sides, made flat, or behind the light. */
+static float beside_cone(const struct light_frame *frame, float slope, vec3 p, int side)
+{
+	vec3 at;
+	glm_mat4_mulv3((vec4 *)frame->world_to_light, p, 1.0f, at);
+	if (side == 4)
+		return -at[2];
+	float along = side % 2 == 0 ? at[side / 2] : -at[side / 2];
+	return along - (1.0f + WIDENING) * slope * at[2];
+}
+
+/* Whether all points are beside one of its sides: then what is between them is. */
+static bool misses_cone(
+	const struct sm_light_desc *light, const struct light_frame *frame, vec3 *points, int count)
+{
+	float slope = tanf(glm_rad(light->angle) / 2.0f);
+	float start = glm_vec3_norm_inf((float *)light->position);
+	for (int side = 0; side < 5; side++) {
+		bool all = true;
+		for (int i = 0; i < count && all; i++) {
+			float slack =
+				ROUNDING * (1.0f + slope) * (start + glm_vec3_norm_inf(points[i]));
+			all = beside_cone(frame, slope, points[i], side) > slack;
+		}
+		if (all)
+			return true;
+	}
+	return false;
+}
+
+/* Illuminance at the nearest point of a box, or a bound on it, of a light of intensity 1. */
+static float strongest_at(const struct sm_light_desc *light, const struct object *object)
+{
+	float distance2 = 0.0f;
+	if (light->type == SM_LIGHT_DIRECTIONAL)
+		return 1.0f;
+	for (int axis = 0; axis < 3; axis++) {
+		float p = light->position[axis];
+		float slack = ROUNDING * fmaxf(fabsf(p), fmaxf(fabsf(object->min[axis]),
+								 fabsf(object->max[axis])));
+		float away =
+			fmaxf(fmaxf(object->min[axis] - p, p - object->max[axis]) - slack, 0.0f);
+		distance2 += away * away;
+	}
+	float reach = glm_vec3_distance2((float *)light->target, (float *)light->position);
+	/* The bound of surface.frag. */
+	return fminf(1.01f * reach / fmaxf(distance2, FLT_MIN), 1e6f);
+}
+
+static float brightest_of(const float color[3])
+{
+	return fmaxf(fabsf(color[0]), fmaxf(fabsf(color[1]), fabsf(color[2])));
+}
+
+/* Whether some of the object may be seen and, of a spot, in the cone. */
+static bool may_show(const struct sm_light_desc *light, const struct light_frame *frame,
+	const struct object *object, const struct view_volume *volume)
+{
+	vec3 points[PART_CORNERS_MAX];
+	int count = see_box(volume, object, points);
+	return count > 0 &&
+	       (light->type == SM_LIGHT_DIRECTIONAL || !misses_cone(light, frame, points, count));
+}
+
+float light_brightest(const struct sm_light_desc *light, const struct light_frame *frame,
+	const struct sm_scene *scene, const struct view_volume *volume, float enough)
+{
+	float strength = fabsf(light->intensity) * brightest_of(light->color), most = 0.0f;
+	for (size_t i = 0; i < scene->object_count && most < enough; i++) {
+		const struct object *object = &scene->objects[i];
+		float here =
+			strength * brightest_of(object->base_color) * strongest_at(light, object);
+		/* Not for NaN, which infinity times 0 is. */
+		if (!(here <= most) && may_show(light, frame, object, volume))
+			most = here > most ? here : INFINITY;
+	}
+	return most;
+}
+
+/* Replaces sizes of coordinates by sums of the sizes of all that is added up where a matrix is
+ * applied to them. */
+static void add_sizes(mat4 matrix, vec4 sizes)
+{
+	vec4 sums;
+	for (int row = 0; row < 4; row++) {
+		sums[row] = 0.0f;
+		for (int column = 0; column < 4; column++)
+			sums[row] += fabsf(matrix[column][row]) * sizes[column];
+	}
+	glm_vec4_copy(sums, sizes);
+}
+
+bool mesh_misses_screen(const struct mesh *mesh, mat4 transform, mat4 world_to_clip, float reach)
+{
+	vec4 sizes = {0.0f, 0.0f, 0.0f, 1.0f}, corners[8];
+	mat4 to_clip;
+	for (int axis = 0; axis < 3; axis++)
+		sizes[axis] = fmaxf(fabsf(mesh->min[axis]), fabsf(mesh->max[axis]));
+	add_sizes(transform, sizes);
+	add_sizes(world_to_clip, sizes);
+	glm_mat4_mul(world_to_clip, transform, to_clip);
+	for (int i = 0; i < 8; i++)
+		glm_mat4_mulv(to_clip,
+			(vec4){i & 1 ? mesh->max[0] : mesh->min[0],
+				i & 2 ? mesh->max[1] : mesh->min[1],
+				i & 4 ? mesh->max[2] : mesh->min[2], 1.0f},
+			corners[i]);
+	for (int side = 0; side < 6; side++) {
+		int axis = side / 2;
+		float scale = 1.0f + (axis < 2 ? reach : 0.0f), sign = side % 2 ? -1.0f : 1.0f;
+		float slack = ROUNDING * (sizes[axis] + scale * sizes[3]);
+		bool all = true;
+		for (int i = 0; i < 8 && all; i++)
+			all = sign * corners[i][axis] - scale * corners[i][3] > slack;
+		if (all)
+			return true;
+	}
+	return false;
+}

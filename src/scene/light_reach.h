@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SCENE_LIGHT_REACH_H
+#define SCENE_LIGHT_REACH_H
+
+#include "scene/light.h"
+
+/** The part of space that a camera sees. */
+struct view_volume {
+	mat4 world_to_clip;
+	vec3 corners[8]; /* NaN where there is none */
+};
+
+void view_volume_init(struct view_volume *volume, mat4 world_to_clip);
+
+/**
+ * A bound on what a light adds to the colour of a pixel in the view, linear: 0 where nothing that
+ * is seen lies in a spot's cone. Textures have no more than 1. The search ends where the bound is
+ * found to be `enough` at least.
+ *
+ * frame: of the light, for its axes.
+ */
+float light_brightest(const struct sm_light_desc *light, const struct light_frame *frame,
+	const struct sm_scene *scene, const struct view_volume *volume, float enough);
+
+/** Whether nothing of a mesh's box is on a light's screen, nor `reach` beside it, NDC, or all of it
+ *  is before the near plane or behind the far one: then no triangle of it is drawn there. */
+bool mesh_misses_screen(const struct mesh *mesh, mat4 transform, mat4 world_to_clip, float reach);
+
+#endif
