@@ -107,18 +107,22 @@ static struct sm_light_desc random_light(struct run *run)
 		.angle = between(run, 15, 100),
 		.softness = between(run, 0, 1),
 		.color = {1, between(run, 0, 1), between(run, 0, 1)},
-		.intensity = below(run, 6) == 0 ? 1e-5f : between(run, 0.2f, 1),
+		.intensity = powf(10, below(run, 4) == 0 ? between(run, -5, -1) : 0),
 	};
 }
 
 static void change_light(struct run *run)
 {
-	uint32_t light = below(run, run->lights);
+	uint32_t light = below(run, run->lights), what = below(run, 6);
 	struct sm_light_desc *desc = &run->light[light];
-	if (below(run, 3) > 0)
-		*desc = random_light(run);
-	else
+	if (what == 0)
 		desc->intensity = between(run, 0, 1);
+	else if (what == 1)
+		desc->angle = between(run, 15, 100);
+	else if (what == 2)
+		desc->radius = between(run, 0, 0.8f);
+	else
+		*desc = random_light(run);
 	assert_true(sm_scene_set_light(run->scene, light, desc, NULL));
 }
 
@@ -166,7 +170,7 @@ static void make_scene(struct run *run)
 	parts_add_object(run->scene, run->meshes[2], below(run, 4) == 0 ? PART_BOTH : PART_RECEIVES,
 		&(struct pose){.scale = {4, 1, 4}});
 	run->objects = 1;
-	for (uint32_t count = below(run, 6); run->objects < count;)
+	for (uint32_t count = below(run, 10); run->objects < count;)
 		add_object(run);
 	run->lights = 1 + below(run, 3);
 	for (uint32_t i = 0; i < run->lights; i++) {
