@@ -122,8 +122,9 @@ bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
 			continue;
 		struct fin_params params = fin_params_of(frame, object, shape, map_size);
 		set->caster_count++;
-		if (on_screen && mesh_misses_screen(mesh, (vec4 *)object->transform,
-					 (vec4 *)frame->world_to_clip, fin_reach(&params, frame)))
+		if (on_screen &&
+			mesh_misses_screen(mesh, (vec4 *)object->transform,
+				(vec4 *)frame->world_to_clip, fin_reach(&params, frame), false))
 			set->missing_count++;
 		else if (!add_caster(set, &mesh->caster, frame, object, &params))
 			return false;

@@ -211,8 +211,11 @@ static void add_sizes(mat4 matrix, vec4 sizes)
 	glm_vec4_copy(sums, sizes);
 }
 
-bool mesh_misses_screen(const struct mesh *mesh, mat4 transform, mat4 world_to_clip, float reach)
+bool mesh_misses_screen(
+	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, float reach, bool far_cuts)
 {
+	/* Axis and sign; the far plane is the last. */
+	static const int sides[6][2] = {{0, 1}, {0, -1}, {1, 1}, {1, -1}, {2, -1}, {2, 1}};
 	vec4 sizes = {0.0f, 0.0f, 0.0f, 1.0f}, corners[8];
 	mat4 to_clip;
 	for (int axis = 0; axis < 3; axis++)
@@ -226,9 +229,9 @@ bool mesh_misses_screen(const struct mesh *mesh, mat4 transform, mat4 world_to_c
 				i & 2 ? mesh->max[1] : mesh->min[1],
 				i & 4 ? mesh->max[2] : mesh->min[2], 1.0f},
 			corners[i]);
-	for (int side = 0; side < 6; side++) {
-		int axis = side / 2;
-		float scale = 1.0f + (axis < 2 ? reach : 0.0f), sign = side % 2 ? -1.0f : 1.0f;
+	for (int side = 0; side < (far_cuts ? 6 : 5); side++) {
+		int axis = sides[side][0];
+		float scale = 1.0f + (axis < 2 ? reach : 0.0f), sign = (float)sides[side][1];
 		float slack = ROUNDING * (sizes[axis] + scale * sizes[3]);
 		bool all = true;
 		for (int i = 0; i < 8 && all; i++)

@@ -23,7 +23,8 @@ float light_brightest(const struct sm_light_desc *light, const struct light_fram
 	const struct sm_scene *scene, const struct view_volume *volume, float enough);
 
 /** Whether nothing of a mesh's box is on a light's screen, nor `reach` beside it, NDC, or all of it
- *  is before the near plane or behind the far one: then no triangle of it is drawn there. */
-bool mesh_misses_screen(const struct mesh *mesh, mat4 transform, mat4 world_to_clip, float reach);
+ *  is before the near plane or, where that cuts, behind the far one. */
+bool mesh_misses_screen(
+	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, float reach, bool far_cuts);
 
 #endif

@@ -120,7 +120,7 @@ bool depth_map_misses(struct gpu *gpu, const struct sm_scene *scene, const struc
 {
 	return skip_take(&gpu->skips, SKIP_CASTER,
 		mesh_misses_screen(&scene->meshes[object->mesh], (vec4 *)object->transform,
-			(vec4 *)frame->world_to_clip, 0.0f));
+			(vec4 *)frame->world_to_clip, 0.0f, true));
 }
 
 static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,

@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: MIT */
+/* What lights reach and screens miss, against many points of random boxes. */
+#include "scene/light_reach.h"
+#include "scene/camera.h"
+#include "scene/fin_set.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define ROUNDS 3000
+#define BOXES 3
+#define POINTS 400 /* of a box */
+#define MAP 128
+
+static uint32_t state;
+
+/* xorshift (Marsaglia 2003). */
+static float between(float low, float high)
+{
+	state ^= state << 13;
+	state ^= state >> 17;
+	state ^= state << 5;
+	return low + (high - low) * (float)(state >> 8) / (float)(1 << 24);
+}
+
+static void random_point(float half, vec3 point)
+{
+	for (int axis = 0; axis < 3; axis++)
+		point[axis] = between(-half, half);
+}
+
+/* [-1, 1]^3 */
+static uint32_t add_cube(struct sm_scene *scene)
+{
+	static const uint32_t indices[] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2,
+		6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+	float positions[8][3];
+	uint32_t mesh;
+	for (int i = 0; i < 8; i++)
+		for (int axis = 0; axis < 3; axis++)
+			positions[i][axis] = i >> axis & 1 ? 1 : -1;
+	struct sm_mesh_desc desc = {.positions = positions[0],
+		.vertex_count = 8,
+		.indices = indices,
+		.index_count = 36};
+	assert_true(sm_scene_add_mesh(scene, &desc, &mesh, NULL));
+	return mesh;
+}
+
+/* The first is flat at times, as a floor is. */
+static struct sm_scene *random_scene(void)
+{
+	struct sm_scene *scene = sm_scene_create();
+	assert_non_null(scene);
+	uint32_t mesh = add_cube(scene), handle;
+	for (int i = 0; i < BOXES; i++) {
+		struct sm_object_desc object = {
+			.mesh = mesh, .image = SM_NONE, .casts = true, .receives = true};
+		vec3 size, place;
+		random_point(i == 0 ? 6 : 1, size);
+		random_point(i == 0 ? 1 : 4, place);
+		if (i == 0)
+			size[1] *= between(-1, 1) < 0 ? 0 : 0.1f;
+		for (int axis = 0; axis < 3; axis++) {
+			object.transform[5 * axis] = size[axis];
+			object.transform[12 + axis] = place[axis];
+			object.base_color[axis] = 1;
+		}
+		object.transform[15] = 1;
+		assert_true(sm_scene_add_object(scene, &object, &handle, NULL));
+	}
+	return scene;
+}
+
+static struct sm_light_desc random_light(void)
+{
+	struct sm_light_desc light = {.type = SM_LIGHT_SPOT,
+		.radius = between(0, 1) < 0.3f ? 0 : between(0, 1),
+		.angle = between(5, 160),
+		.color = {1, 0.5f, 0.25f},
+		.intensity = between(0, 2)};
+	if (between(0, 1) < 0.2f)
+		light.type = SM_LIGHT_DIRECTIONAL;
+	random_point(6, light.position);
+	random_point(3, light.target);
+	return light;
+}
+
+static void random_view(const struct sm_scene *scene, mat4 world_to_clip)
+{
+	struct sm_camera camera = {.up = {0.1f, 1, 0.2f}, .fov = between(10, 120)};
+	random_point(6, camera.eye);
+	random_point(3, camera.target);
+	assert_true(camera_world_to_clip(&camera, scene, 4, 3, world_to_clip, NULL));
+}
+
+/* A point of a box, in the world. */
+static void point_of(const struct object *object, vec3 point)
+{
+	for (int axis = 0; axis < 3; axis++)
+		point[axis] = between(object->min[axis], object->max[axis]);
+}
+
+static bool is_on_screen(mat4 world_to_clip, vec3 point)
+{
+	vec4 p = {point[0], point[1], point[2], 1};
+	glm_mat4_mulv(world_to_clip, p, p);
+	return p[3] > 0 && fabsf(p[0]) <= p[3] && fabsf(p[1]) <= p[3] && fabsf(p[2]) <= p[3];
+}
+
+/* What a white surface that faces the light gets, at most. */
+static float light_at(const struct sm_light_desc *light, vec3 point)
+{
+	vec3 path, axis;
+	glm_vec3_sub(point, (float *)light->position, path);
+	glm_vec3_sub((float *)light->target, (float *)light->position, axis);
+	if (light->type == SM_LIGHT_DIRECTIONAL)
+		return light->intensity;
+	float cosine = glm_vec3_dot(path, axis) / (glm_vec3_norm(path) * glm_vec3_norm(axis));
+	bool inside = cosine > cosf(glm_rad(light->angle) / 2);
+	return inside ? light->intensity * glm_vec3_norm2(axis) / glm_vec3_norm2(path) : 0;
+}
+
+static float brightest_point(
+	const struct sm_light_desc *light, const struct sm_scene *scene, mat4 world_to_clip)
+{
+	float most = 0;
+	for (int i = 0; i < BOXES * POINTS; i++) {
+		vec3 point;
+		point_of(&scene->objects[i % BOXES], point);
+		if (is_on_screen(world_to_clip, point))
+			most = fmaxf(most, light_at(light, point));
+	}
+	return most;
+}
+
+static void test_no_point_is_brighter_than_the_bound(void **unused)
+{
+	(void)unused;
+	int dark = 0, found = 0;
+	state = 0x1234567;
+	for (int round = 0; round < ROUNDS; round++) {
+		struct sm_scene *scene = random_scene();
+		struct sm_light_desc light = random_light();
+		struct light_frame frame;
+		struct view_volume volume;
+		mat4 world_to_clip;
+		random_view(scene, world_to_clip);
+		light_frame_init(&frame, &light, scene);
+		view_volume_init(&volume, world_to_clip);
+		float bound = light_brightest(&light, &frame, scene, &volume, INFINITY);
+		float most = brightest_point(&light, scene, world_to_clip);
+		if (!(bound >= most))
+			fail_msg("round %d: %g, above %g", round, (double)most, (double)bound);
+		dark += most == 0;
+		found += bound == 0;
+		float enough = light_brightest(&light, &frame, scene, &volume, 1e-3f);
+		assert_true((enough >= 1e-3f) == (bound >= 1e-3f));
+		sm_scene_destroy(scene);
+	}
+	print_message("%d of %d are dark, found of %d\n", dark, ROUNDS, found);
+	/* Points are few, and cones are made flat: not all that seems dark is. */
+	assert_true(dark > ROUNDS / 10 && found > dark * 2 / 3 && found < dark);
+}
+
+static void test_nothing_that_misses_a_screen_is_on_it(void **unused)
+{
+	(void)unused;
+	int misses = 0, absent = 0;
+	state = 0x7654321;
+	for (int round = 0; round < ROUNDS; round++) {
+		struct sm_scene *scene = random_scene();
+		struct object *object = &scene->objects[1];
+		mat4 world_to_clip;
+		bool there = false;
+		random_view(scene, world_to_clip);
+		for (int i = 0; i < POINTS; i++) {
+			vec3 point;
+			point_of(object, point);
+			there = there || is_on_screen(world_to_clip, point);
+		}
+		bool missing =
+			mesh_misses_screen(&scene->meshes[0], object->transform, world_to_clip, 0, true);
+		assert_false(there && missing);
+		misses += missing;
+		absent += !there;
+		sm_scene_destroy(scene);
+	}
+	print_message("%d of %d are absent, found of %d\n", absent, ROUNDS, misses);
+	assert_true(absent > ROUNDS / 10 && misses > absent * 3 / 4 && misses < ROUNDS);
+}
+
+/* Whether the rectangle around a quad touches the screen. */
+static bool quad_is_on_screen(const struct fin_vertex *quad)
+{
+	for (int axis = 0; axis < 2; axis++) {
+		float min = INFINITY, max = -INFINITY;
+		for (int i = 0; i < 4; i++) {
+			min = fminf(min, quad[i].position[axis]);
+			max = fmaxf(max, quad[i].position[axis]);
+		}
+		if (min > 1 || max < -1)
+			return false;
+	}
+	return true;
+}
+
+/* Every quad on the screen is in both sets, in the same order. */
+static void check_quads(const struct fin_set *all, const struct fin_set *some)
+{
+	size_t next = 0, bytes = 4 * sizeof(*all->vertices);
+	for (size_t quad = 0; quad < all->vertex_count; quad += 4) {
+		bool same = next < some->vertex_count &&
+			    memcmp(&all->vertices[quad], &some->vertices[next], bytes) == 0;
+		next += same ? 4 : 0;
+		assert_true(same || !quad_is_on_screen(&all->vertices[quad]));
+	}
+	assert_int_equal(next, some->vertex_count);
+}
+
+static void test_fins_on_the_screen_are_all_there(void **unused)
+{
+	(void)unused;
+	static const struct fin_shape shapes[] = {
+		{.share = SMOOTHIE_WIDTH_SHARE},
+		{.share = 1, .apron = 1.5f, .both_sides = true},
+		{.width = 0.1f},
+	};
+	struct fin_set all = {0}, some = {0};
+	size_t missing = 0;
+	state = 0x3141592;
+	for (int round = 0; round < ROUNDS; round++) {
+		struct sm_scene *scene = random_scene();
+		struct sm_light_desc light = random_light();
+		struct light_frame frame;
+		light_frame_init(&frame, &light, scene);
+		assert_true(fin_set_find(&all, scene, &frame, &shapes[round % 3], MAP, false));
+		assert_true(fin_set_find(&some, scene, &frame, &shapes[round % 3], MAP, true));
+		check_quads(&all, &some);
+		missing += some.missing_count;
+		sm_scene_destroy(scene);
+	}
+	print_message("%zu of %d casters are left out\n", missing, BOXES * ROUNDS);
+	assert_true(missing > ROUNDS / 10);
+	fin_set_finish(&all);
+	fin_set_finish(&some);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_no_point_is_brighter_than_the_bound),
+		cmocka_unit_test(test_nothing_that_misses_a_screen_is_on_it),
+		cmocka_unit_test(test_fins_on_the_screen_are_all_there),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
