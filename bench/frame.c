@@ -15,11 +15,22 @@
 #include <time.h>
 
 /* What is timed, one after the other, in each round. */
-enum contender { FRAME_PCF, FRAME_SMOOTHIE, LIGHT_DEPTH, VIEW_DEPTH, FULL_SCREEN, CONTENDERS };
+enum contender {
+	FRAME_PCF,
+	FRAME_SMOOTHIE,
+	FRAME_KEPT, /* likewise, but with what the light saw before */
+	LIGHT_DEPTH,
+	VIEW_DEPTH,
+	FULL_SCREEN,
+	CONTENDERS,
+};
+
+#define FRAMES 3
 
 static const char *const contender_names[CONTENDERS] = {
 	"frame with pcf",
 	"frame with smoothie",
+	"the same, light kept",
 	"bare depth pass, light",
 	"bare depth pass, camera",
 	"bare full-screen pass",
@@ -27,15 +38,16 @@ static const char *const contender_names[CONTENDERS] = {
 
 struct options {
 	uint32_t size, map, rounds;
-	uint32_t only; /* a contender alone, counted from 1; 0: all */
+	uint32_t only;         /* a contender alone, counted from 1; 0: all */
+	const char *technique; /* instead of smoothie */
 };
 
 /* A scene, and all that draws it. */
 struct bench {
 	struct stage stage;
-	struct sm_renderer *renderers[2]; /* FRAME_PCF, FRAME_SMOOTHIE */
-	struct depth_map depths[2];       /* made by renderer 0: light's size, and picture's */
-	struct light_frame light, view;   /* the camera as if it were a light */
+	struct sm_renderer *renderers[FRAMES]; /* of the contenders that are frames */
+	struct depth_map depths[2];            /* made by renderer 0: light's size, and picture's */
+	struct light_frame light, view;        /* the camera as if it were a light */
 	GLuint framebuffer, buffers[2];
 	double *times[CONTENDERS]; /* [rounds] ms */
 	uint32_t size;
@@ -140,7 +152,7 @@ static bool draw(
 	struct bench *bench, enum contender contender, GLuint program, struct sm_error *error)
 {
 	bool drawn = true;
-	if (contender <= FRAME_SMOOTHIE)
+	if (contender < FRAMES)
 		drawn = draw_frame(bench, contender, error);
 	else if (contender == FULL_SCREEN)
 		draw_full_screen(bench, program);
@@ -174,12 +186,14 @@ static bool bench_init(struct bench *bench, const char *source, const struct opt
 		return false;
 	if (sm_scene_light_count(bench->stage.scene) == 0)
 		return error_set(error, SM_ERROR_INPUT, "%s has no light", source);
-	static const char *const techniques[2] = {"pcf", "smoothie"};
-	for (int i = 0; i < 2; i++) {
+	for (int i = 0; i < FRAMES; i++) {
 		struct sm_shadow_options shadow = {
-			.technique = techniques[i], .map_size = options->map};
+			.technique = i == FRAME_PCF ? "pcf" : options->technique,
+			.map_size = options->map};
 		bench->renderers[i] = sm_renderer_create(platform_get_proc, error);
 		if (bench->renderers[i] == NULL ||
+			!sm_renderer_set_skips(
+				bench->renderers[i], i == FRAME_KEPT ? NULL : "-all", error) ||
 			!sm_renderer_set_shadows(bench->renderers[i], &shadow, error))
 			return false;
 	}
@@ -208,7 +222,7 @@ static void bench_finish(struct bench *bench)
 		free(bench->times[i]);
 	for (int i = 0; i < 2 && bench->renderers[0] != NULL; i++)
 		depth_map_finish(&bench->depths[i], &bench->renderers[0]->gpu);
-	for (int i = 0; i < 2; i++)
+	for (int i = 0; i < FRAMES; i++)
 		sm_renderer_destroy(bench->renderers[i]);
 	stage_finish(&bench->stage);
 }
@@ -244,6 +258,7 @@ static void report(const char *source, struct bench *bench, const struct options
 	double limit = ms[LIGHT_DEPTH] + ms[VIEW_DEPTH] + ms[FULL_SCREEN];
 	printf("  %-24s %8.2f ms\n", "silhouettes and fins", stats.silhouette_ms);
 	printf("  smoothie / pcf: %.2f\n", ms[FRAME_SMOOTHIE] / ms[FRAME_PCF]);
+	printf("  light kept / smoothie: %.2f\n", ms[FRAME_KEPT] / ms[FRAME_SMOOTHIE]);
 	printf("  pcf / (both depth passes + full-screen pass): %.2f\n", ms[FRAME_PCF] / limit);
 	printf("  pcf / (light's depth pass + full-screen pass): %.2f\n",
 		ms[FRAME_PCF] / (ms[LIGHT_DEPTH] + ms[FULL_SCREEN]));
@@ -265,20 +280,21 @@ static bool run(const char *source, const struct options *options, struct sm_err
 
 static void usage(FILE *file)
 {
-	fputs("usage: bench-frame [-s PIXELS] [-m TEXELS] [-n ROUNDS] [SCENE...]\n"
+	fputs("usage: bench-frame [-s PIXELS] [-m TEXELS] [-n ROUNDS] [-t TECHNIQUE] [SCENE...]\n"
 	      "Times frames with smoothies, with a filtered map, and the passes they cannot do "
 	      "without.\n"
 	      "  -s  pixels a side of the picture (1024)\n"
 	      "  -m  texels a side of the shadow map (1024)\n"
 	      "  -n  rounds; medians are printed (15)\n"
-	      "  -o  one of the five alone, from 1, for a profiler\n",
+	      "  -t  instead of smoothie\n"
+	      "  -o  one of them alone, from 1, for a profiler\n",
 		file);
 }
 
 static bool parse(struct options *options, int argc, char **argv)
 {
 	int option;
-	while ((option = getopt(argc, argv, "s:m:n:o:h")) != -1) {
+	while ((option = getopt(argc, argv, "s:m:n:o:t:h")) != -1) {
 		uint32_t *value = option == 's'   ? &options->size
 				  : option == 'm' ? &options->map
 				  : option == 'n' ? &options->rounds
@@ -288,7 +304,9 @@ static bool parse(struct options *options, int argc, char **argv)
 			usage(stdout);
 			exit(0);
 		}
-		if (value == NULL || (*value = (uint32_t)strtoul(optarg, NULL, 10)) == 0)
+		if (option == 't')
+			options->technique = optarg;
+		else if (value == NULL || (*value = (uint32_t)strtoul(optarg, NULL, 10)) == 0)
 			return false;
 	}
 	return true;
@@ -298,7 +316,7 @@ int main(int argc, char **argv)
 {
 	static char *defaults[] = {"builtin:primitives", SMOOTHIE_SHARED "/models/sheen-chair.glb",
 		SMOOTHIE_SHARED "/models/toy-car.glb"};
-	struct options options = {.size = 1024, .map = 1024, .rounds = 15};
+	struct options options = {.size = 1024, .map = 1024, .rounds = 15, .technique = "smoothie"};
 	struct sm_error error;
 	if (!parse(&options, argc, argv)) {
 		usage(stderr);

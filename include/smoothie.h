@@ -310,6 +310,10 @@ struct sm_view {
 	 *  round(65535 v), B = 0, A = 1; 65535 where there is no surface. Needs a framebuffer that
 	 *  is not sRGB, with 8 bits a channel and one sample. */
 	uint32_t visibility_of;
+	/** Whether the picture is the same whatever was drawn before. If not, what is chosen frame
+	 * by frame ("auto", SM_SAMPLING_DEFAULT) stays as it was until another choice is clearly
+	 * better, so that what wavers does not flicker. */
+	bool alone;
 };
 
 /** Draws shadows and frame. Expects GL's state at its defaults, but for the viewport and what is

@@ -134,6 +134,8 @@ static bool draw_shadows(
 		(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
 			&light->frame, &pass->scene->lights[i].desc, pass->scene);
 		bool shows = find_left_out(pass, &volume, i, light);
+		if (pass->alone)
+			shadow_set_leave(&renderer->shadows, i - first);
 		if (!light->left_out && !draw_shadow(pass, first, i, &view, error))
 			return false;
 		/* Left out or not, so that the choices after are the same. */
@@ -265,7 +267,8 @@ bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 		.scene = local->scene,
 		.world_to_clip = world_to_clip,
 		.width = view->width,
-		.height = view->height};
+		.height = view->height,
+		.alone = view->alone};
 	bool drawn = draw_view(&pass, view, error);
 	sparse_pass_end_frame(renderer);
 	/* A failure may have been anywhere. */

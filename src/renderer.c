@@ -112,12 +112,20 @@ static struct frame_key key_of(const struct sm_scene *scene, const struct sm_vie
 	return (struct frame_key){scene->id, scene->version, *view};
 }
 
+static bool is_same_view(const struct sm_view *a, const struct sm_view *b)
+{
+	/* The camera is floats alone, without padding. */
+	return memcmp(&a->camera, &b->camera, sizeof(a->camera)) == 0 &&
+	       a->framebuffer == b->framebuffer && a->width == b->width && a->height == b->height &&
+	       a->visibility_of == b->visibility_of && a->alone == b->alone;
+}
+
 bool sm_renderer_is_current(
 	struct sm_renderer *renderer, const struct sm_scene *scene, const struct sm_view *view)
 {
 	const struct frame_key *current = &renderer->current, key = key_of(scene, view);
 	bool same = current->scene == key.scene && current->version == key.version &&
-		    memcmp(&current->view, &key.view, sizeof(key.view)) == 0;
+		    is_same_view(&current->view, &key.view);
 	return skip_take(&renderer->gpu.skips, SKIP_FRAME, same);
 }
 

@@ -48,7 +48,7 @@ struct shadow_request {
 struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,
 	const struct shadow_request *request, struct sm_error *error);
 
-/** After a frame in which a light did not show. */
+/** Has what a light's choices depend on of frames before forgotten. */
 void shadow_set_leave(struct shadow_set *set, size_t index);
 
 #endif

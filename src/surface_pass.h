@@ -11,6 +11,7 @@ struct surface_pass {
 	vec4 *world_to_clip;
 	uint32_t width, height;            /* of the picture */
 	bool multisampled;                 /* the framebuffer */
+	bool alone;                        /* as in struct sm_view */
 	const struct sm_light_desc *light; /* NULL: ambient light alone */
 	const struct light_frame *frame;   /* of the light */
 	struct light_shadow *shadow;       /* of the light, in the shadow set */

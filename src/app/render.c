@@ -281,6 +281,7 @@ static bool draw_frame(struct render *render, const struct render_options *optio
 		.width = render->target.width,
 		.height = render->target.height,
 		.visibility_of = options->visibility_of,
+		.alone = true, /* frame k is the same, whoever draws it */
 	};
 	if (sm_renderer_is_current(render->renderer, render->stage.scene, &view))
 		return true;

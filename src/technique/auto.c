@@ -19,7 +19,7 @@ struct choice {
 	void *states[PICKS]; /* owned; NULL: not in use */
 	enum pick pick;      /* that the last frame was drawn with */
 	uint32_t idle;       /* frames since the other one was */
-	uint64_t scene;      /* that the last frame was of; 0: the light did not show */
+	uint64_t scene;      /* that the last frame was of; 0: it does not count */
 };
 
 static bool auto_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,

@@ -32,7 +32,7 @@ struct gather {
 	enum sm_sampling sampling;
 	float depth_noise;
 	bool told;      /* that edges are left out */
-	uint64_t scene; /* that the last frame was of; 0: the light did not show */
+	uint64_t scene; /* that the last frame was of; 0: it does not count */
 	uint32_t map_size, subpixel_bits;
 };
 

@@ -43,8 +43,8 @@ struct technique {
 	 *  is another way than in the last frame. NULL: there is one. */
 	bool (*choose)(void *state, struct gpu *gpu, const struct sm_scene *scene,
 		const struct light_frame *frame);
-	/** At the end of a frame that the light did not show in: what a choice depends on of frames
-	 *  before is forgotten. NULL: nothing. */
+	/** Has what a choice depends on of frames before forgotten: the light did not show in the
+	 * last one, or they are not to count. NULL: nothing. */
 	void (*leave)(void *state);
 	/** Draws what the light sees; not called while all that it depends on stays the same and
 	 *  it has succeeded. Leaves blending and culling off. */

@@ -150,6 +150,12 @@ static void visibility(struct rig *rig, struct question *question)
 	question->view.visibility_of = 0;
 }
 
+static void alone(struct rig *rig, struct question *question)
+{
+	(void)rig;
+	question->view.alone = true;
+}
+
 static void other_place(struct rig *rig, struct question *question)
 {
 	(void)rig;
@@ -209,8 +215,9 @@ static void test_a_frame_is_current_until_something_changes(void **state)
 {
 	struct rig *rig = *state;
 	static void (*const changes[])(struct rig * rig, struct question * question) = {
-		other_camera, other_size, other_framebuffer, visibility, other_place, other_light,
-		other_background, one_more_object, other_shadows, skip_off, failure, other_scene};
+		other_camera, other_size, other_framebuffer, visibility, alone, other_place,
+		other_light, other_background, one_more_object, other_shadows, skip_off, failure,
+		other_scene};
 	struct canvas canvas;
 	canvas_init(&canvas, GL_RGBA8, SIZE, SIZE);
 	set_up(rig->scene, 1);
@@ -336,6 +343,26 @@ static void test_choices_start_anew_when_a_light_comes_into_view(void **state)
 	}
 }
 
+static void test_a_frame_alone_does_not_go_by_those_before(void **state)
+{
+	struct rig *rig = *state;
+	struct canvas canvas;
+	canvas_init(&canvas, GL_RGBA8, SIZE, SIZE);
+	set_up(rig->scene, 1);
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "auto", .map_size = 128});
+	float narrow = 0.9f * find_soft_radius(rig);
+	for (int i = 0; i < 2; i++) {
+		struct sm_view view = view_of(&canvas, &camera);
+		set_radius(rig, lamp.radius);
+		rig_draw(rig, rig->scene, &view);
+		set_radius(rig, narrow);
+		view.alone = i == 1;
+		rig_draw(rig, rig->scene, &view);
+		assert_true(is_hard(rig) == view.alone);
+	}
+	canvas_finish(&canvas);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -344,6 +371,7 @@ int main(void)
 		rig_test(test_a_frame_is_current_until_something_changes),
 		rig_test(test_what_is_kept_is_of_one_scene),
 		rig_test(test_choices_start_anew_when_a_light_comes_into_view),
+		rig_test(test_a_frame_alone_does_not_go_by_those_before),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
