@@ -79,6 +79,18 @@ struct sm_mesh_desc {
 SM_API bool sm_scene_add_mesh(struct sm_scene *scene, const struct sm_mesh_desc *desc,
 	uint32_t *mesh, struct sm_error *error);
 
+/**
+ * Moves the vertices of a mesh, of all objects that have it.
+ *
+ * positions: [vertex_count][3], finite, of the vertices that sm_mesh_desc had. normals: likewise;
+ * NULL, or one without direction: the mean of the triangles around. Indices and uvs stay, and so
+ * does what was welded: vertices that coincided in position cast their shadow as one, at the place
+ * of one of them, and those that were the same in normal and uv, too, are drawn as one. Linear
+ * time. Fails (INPUT) on an unknown mesh or a position that is not finite; nothing changes then.
+ */
+SM_API bool sm_scene_set_vertices(struct sm_scene *scene, uint32_t mesh, const float *positions,
+	const float *normals, struct sm_error *error);
+
 /** Facts about one mesh after welding. */
 struct sm_mesh_stats {
 	size_t triangles;

@@ -10,7 +10,8 @@
  *  triangle order of its own that has closed parts first and else keeps neighbours near. */
 struct caster {
 	size_t vertex_count;
-	float (*positions)[3]; /* [vertex_count], distinct, without negative zeros */
+	float (*positions)[3]; /* [vertex_count], without negative zeros; distinct at first */
+	uint32_t *sources;     /* [vertex_count]: one of the vertices that were welded into it */
 	size_t triangle_count;
 	uint32_t *indices; /* [3 * triangle_count] */
 	struct orientation found;
@@ -26,6 +27,10 @@ struct caster {
 bool caster_init(struct caster *caster, const float (*positions)[3], size_t vertex_count,
 	const uint32_t *indices, size_t triangle_count);
 void caster_finish(struct caster *caster);
+
+/** Moves vertices: positions as for caster_init(), of as many vertices. What was welded stays so,
+ *  and windings, parts and edges are those of the first positions. */
+void caster_move(struct caster *caster, const float (*positions)[3]);
 
 /** Of memory, in all. */
 size_t caster_bytes(const struct caster *caster);

@@ -80,26 +80,34 @@ bool face_planes_init(struct face_planes *planes, const float (*positions)[3], s
 	const uint32_t *indices, size_t triangle_count)
 {
 	*planes = (struct face_planes){.count = triangle_count};
-	int16_t *memory = array_zalloc(triangle_count, FACE_ARRAYS * sizeof(*memory));
+	int16_t *memory = array_alloc(triangle_count, FACE_ARRAYS * sizeof(*memory));
 	if (memory == NULL)
 		return false;
 	planes->nx = memory;
 	planes->ny = planes->nx + triangle_count;
 	planes->nz = planes->ny + triangle_count;
 	planes->d = planes->nz + triangle_count;
+	face_planes_update(planes, positions, vertex_count, indices);
+	return true;
+}
 
+void face_planes_update(struct face_planes *planes, const float (*positions)[3],
+	size_t vertex_count, const uint32_t *indices)
+{
+	planes->degenerate = 0;
 	find_sphere(planes, positions, vertex_count);
-	for (size_t t = 0; t < triangle_count; t++) {
+	for (size_t t = 0; t < planes->count; t++) {
 		const uint32_t *corners = &indices[3 * t];
 		const float *p0 = positions[corners[0]];
 		double normal[3];
 		face_normal(p0, positions[corners[1]], positions[corners[2]], normal);
-		if (length(normal) > 0.0)
+		if (length(normal) > 0.0) {
 			quantise(planes, t, p0, normal);
-		else
+		} else {
+			planes->nx[t] = planes->ny[t] = planes->nz[t] = planes->d[t] = 0;
 			planes->degenerate++;
+		}
 	}
-	return true;
 }
 
 void face_planes_finish(struct face_planes *planes)

@@ -31,6 +31,9 @@ struct face_planes {
 /** positions: [vertex_count][3], finite; indices: [3 * triangle_count]. False: out of memory. */
 bool face_planes_init(struct face_planes *planes, const float (*positions)[3], size_t vertex_count,
 	const uint32_t *indices, size_t triangle_count);
+/** The same triangles with their vertices elsewhere. */
+void face_planes_update(struct face_planes *planes, const float (*positions)[3],
+	size_t vertex_count, const uint32_t *indices);
 void face_planes_finish(struct face_planes *planes);
 
 size_t face_planes_bytes(const struct face_planes *planes);

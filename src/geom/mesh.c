@@ -21,6 +21,11 @@ static bool is_finite(const float *values, size_t count)
 	return true;
 }
 
+static const char *name_of(const char *name)
+{
+	return name != NULL ? name : "(unnamed)";
+}
+
 static bool check_counts(const struct sm_mesh_desc *desc, const char *name, struct sm_error *error)
 {
 	if (desc->index_count == 0)
@@ -41,9 +46,19 @@ static bool check_counts(const struct sm_mesh_desc *desc, const char *name, stru
 	return true;
 }
 
+static bool check_positions(
+	const float *positions, size_t count, const char *name, struct sm_error *error)
+{
+	for (size_t v = 0; v < count; v++)
+		if (!is_finite(&positions[3 * v], 3))
+			return error_set(error, SM_ERROR_INPUT,
+				"mesh %s: the position of vertex %zu is not finite", name, v);
+	return true;
+}
+
 static bool check_desc(const struct sm_mesh_desc *desc, struct sm_error *error)
 {
-	const char *name = desc->name != NULL ? desc->name : "(unnamed)";
+	const char *name = name_of(desc->name);
 	if (!check_counts(desc, name, error))
 		return false;
 	for (size_t i = 0; i < desc->index_count; i++)
@@ -51,11 +66,7 @@ static bool check_desc(const struct sm_mesh_desc *desc, struct sm_error *error)
 			return error_set(error, SM_ERROR_INPUT,
 				"mesh %s: index %zu is %u, but there are %zu vertices", name, i,
 				desc->indices[i], desc->vertex_count);
-	for (size_t v = 0; v < desc->vertex_count; v++)
-		if (!is_finite(&desc->positions[3 * v], 3))
-			return error_set(error, SM_ERROR_INPUT,
-				"mesh %s: the position of vertex %zu is not finite", name, v);
-	return true;
+	return check_positions(desc->positions, desc->vertex_count, name, error);
 }
 
 /* False, and v unchanged, when it has no direction. */
@@ -69,101 +80,120 @@ static bool normalise(double v[3])
 	return true;
 }
 
-/* -0 + 0 = 0: equal values become equal bits, which merging looks at. */
-static void store(float *out, const float *in, int count)
+/* Whether that changes *out. -0 + 0 = 0: equal values become equal bits, which merging looks at. */
+static bool store(float *out, const float *in, int count)
 {
-	for (int i = 0; i < count; i++)
-		out[i] = in[i] + 0.0f;
+	bool changed = false;
+	for (int i = 0; i < count; i++) {
+		float value = in[i] + 0.0f;
+		changed = changed || out[i] != value;
+		out[i] = value;
+	}
+	return changed;
 }
 
-/* Into a unit normal, +z for what has no direction. */
-static void store_normal(double v[3], float normal[3])
+/* Into a unit normal, +z for what has no direction; whether that changes it. */
+static bool store_normal(double v[3], float normal[3])
 {
 	float unit[3] = {0.0f, 0.0f, 1.0f};
 	if (normalise(v))
 		for (int i = 0; i < 3; i++)
 			unit[i] = (float)v[i];
-	store(normal, unit, 3);
+	return store(normal, unit, 3);
 }
 
-/* Unit, or zero for a triangle without area. */
-static void unit_face_normal(const struct sm_mesh_desc *desc, size_t triangle, double normal[3])
+/* Adds the triangle's unit normal, nothing for one without area. */
+static void add_face_normal(const struct mesh *mesh, size_t triangle, double sum[3])
 {
-	const uint32_t *v = &desc->indices[3 * triangle];
-	const float *p = desc->positions;
-	face_normal(&p[3 * (size_t)v[0]], &p[3 * (size_t)v[1]], &p[3 * (size_t)v[2]], normal);
-	normalise(normal);
+	const uint32_t *v = &mesh->indices[3 * triangle];
+	double normal[3];
+	face_normal(mesh->positions[v[0]], mesh->positions[v[1]], mesh->positions[v[2]], normal);
+	if (!normalise(normal))
+		return;
+	for (int i = 0; i < 3; i++)
+		sum[i] += normal[i];
+}
+
+/* The unit normal that is given for a drawn vertex; false: there is none, or no direction. given:
+ * of the description's vertices, or NULL. */
+static bool given_normal(
+	const struct mesh *mesh, size_t vertex, const float *given, double normal[3])
+{
+	if (given == NULL)
+		return false;
+	for (int i = 0; i < 3; i++)
+		normal[i] = given[3 * (size_t)mesh->sources[vertex] + (size_t)i];
+	return normalise(normal);
+}
+
+/* Room for what find_normals() sums up: *sums stays NULL where every normal is given. */
+static bool reserve_sums(const struct mesh *mesh, const float *given, double (**sums)[3])
+{
+	double normal[3];
+	*sums = NULL;
+	for (size_t v = 0; v < mesh->vertex_count; v++) {
+		if (given_normal(mesh, v, given, normal))
+			continue;
+		*sums = array_zalloc(mesh->vertex_count, sizeof(**sums));
+		return *sums != NULL;
+	}
+	return true;
+}
+
+/* Those that are given, and else the mean of the triangles around; whether that changes any. */
+static bool find_normals(struct mesh *mesh, const float *given, double (*sums)[3])
+{
+	bool changed = false;
+	double normal[3];
+	for (size_t i = 0; sums != NULL && i < mesh->index_count; i++)
+		add_face_normal(mesh, i / 3, sums[mesh->indices[i]]);
+	for (size_t v = 0; v < mesh->vertex_count; v++) {
+		double *found = given_normal(mesh, v, given, normal) ? normal : sums[v];
+		changed = store_normal(found, mesh->normals[v]) || changed;
+	}
+	return changed;
 }
 
 static bool reserve_vertices(struct mesh *mesh, size_t vertex_count, size_t index_count)
 {
 	mesh->vertex_count = vertex_count;
 	mesh->index_count = index_count;
-	mesh->positions = array_alloc(vertex_count, sizeof(*mesh->positions));
-	mesh->normals = array_alloc(vertex_count, sizeof(*mesh->normals));
+	mesh->positions = array_zalloc(vertex_count, sizeof(*mesh->positions));
+	mesh->normals = array_zalloc(vertex_count, sizeof(*mesh->normals));
 	mesh->uvs = array_zalloc(vertex_count, sizeof(*mesh->uvs));
+	mesh->sources = array_alloc(vertex_count, sizeof(*mesh->sources));
 	mesh->indices = array_alloc(index_count, sizeof(*mesh->indices));
 	return mesh->positions != NULL && mesh->normals != NULL && mesh->uvs != NULL &&
-	       mesh->indices != NULL;
+	       mesh->sources != NULL && mesh->indices != NULL;
 }
 
 static void copy_vertex(
 	struct mesh *mesh, size_t vertex, const struct sm_mesh_desc *desc, size_t source)
 {
+	mesh->sources[vertex] = (uint32_t)source;
 	store(mesh->positions[vertex], &desc->positions[3 * source], 3);
 	if (desc->uvs != NULL && is_finite(&desc->uvs[2 * source], 2))
 		store(mesh->uvs[vertex], &desc->uvs[2 * source], 2);
 }
 
-/* Each corner becomes a vertex with its triangle's normal. */
-static bool copy_flat(struct mesh *mesh, const struct sm_mesh_desc *desc)
+/* Without normals each corner becomes a vertex, with its triangle's. */
+static bool copy_desc(struct mesh *mesh, const struct sm_mesh_desc *desc)
 {
-	if (!reserve_vertices(mesh, desc->index_count, desc->index_count))
+	bool flat = desc->normals == NULL;
+	size_t vertex_count = flat ? desc->index_count : desc->vertex_count;
+	double(*sums)[3];
+	mesh->source_count = desc->vertex_count;
+	if (!reserve_vertices(mesh, vertex_count, desc->index_count))
 		return false;
-	for (size_t i = 0; i < desc->index_count; i++) {
-		double normal[3];
-		copy_vertex(mesh, i, desc, desc->indices[i]);
-		unit_face_normal(desc, i / 3, normal);
-		store_normal(normal, mesh->normals[i]);
-		mesh->indices[i] = (uint32_t)i;
-	}
+	for (size_t v = 0; v < vertex_count; v++)
+		copy_vertex(mesh, v, desc, flat ? desc->indices[v] : v);
+	for (size_t i = 0; i < desc->index_count; i++)
+		mesh->indices[i] = flat ? (uint32_t)i : desc->indices[i];
+	if (!reserve_sums(mesh, desc->normals, &sums))
+		return false;
+	find_normals(mesh, desc->normals, sums);
+	free(sums);
 	return true;
-}
-
-static bool copy_smooth(struct mesh *mesh, const struct sm_mesh_desc *desc)
-{
-	size_t count = desc->vertex_count;
-	double(*normals)[3] = array_alloc(count, sizeof(*normals));
-	bool *broken = array_alloc(count, sizeof(*broken));
-	bool ok = normals != NULL && broken != NULL &&
-		  reserve_vertices(mesh, count, desc->index_count);
-	if (!ok)
-		goto out;
-
-	for (size_t v = 0; v < count; v++) {
-		for (int i = 0; i < 3; i++)
-			normals[v][i] = desc->normals[3 * v + (size_t)i];
-		broken[v] = !normalise(normals[v]);
-		if (broken[v])
-			memset(normals[v], 0, sizeof(*normals));
-	}
-	for (size_t i = 0; i < desc->index_count; i++) {
-		uint32_t v = mesh->indices[i] = desc->indices[i];
-		double normal[3];
-		if (!broken[v])
-			continue;
-		unit_face_normal(desc, i / 3, normal);
-		for (int c = 0; c < 3; c++)
-			normals[v][c] += normal[c];
-	}
-	for (size_t v = 0; v < count; v++) {
-		copy_vertex(mesh, v, desc, v);
-		store_normal(normals[v], mesh->normals[v]);
-	}
-out:
-	free(normals);
-	free(broken);
-	return ok;
 }
 
 static void move_vertices(struct mesh *mesh, size_t new_count, const uint32_t *remap)
@@ -175,6 +205,8 @@ static void move_vertices(struct mesh *mesh, size_t new_count, const uint32_t *r
 	meshopt_remapVertexBuffer(
 		mesh->normals, mesh->normals, count, sizeof(*mesh->normals), remap);
 	meshopt_remapVertexBuffer(mesh->uvs, mesh->uvs, count, sizeof(*mesh->uvs), remap);
+	meshopt_remapVertexBuffer(
+		mesh->sources, mesh->sources, count, sizeof(*mesh->sources), remap);
 	mesh->vertex_count = new_count;
 }
 
@@ -245,7 +277,7 @@ bool mesh_init(struct mesh *mesh, const struct sm_mesh_desc *desc, struct sm_err
 		if (mesh->name == NULL)
 			goto no_memory;
 	}
-	if (!(desc->normals != NULL ? copy_smooth(mesh, desc) : copy_flat(mesh, desc)))
+	if (!copy_desc(mesh, desc))
 		goto no_memory;
 	if (!optimise(mesh))
 		goto no_memory;
@@ -261,12 +293,38 @@ no_memory:
 	return error_no_memory(error);
 }
 
+bool mesh_set_vertices(struct mesh *mesh, const float *positions, const float *normals,
+	bool *changed, struct sm_error *error)
+{
+	double(*sums)[3];
+	*changed = false;
+	if (!check_positions(positions, mesh->source_count, name_of(mesh->name), error))
+		return false;
+	if (!reserve_sums(mesh, normals, &sums))
+		return error_no_memory(error);
+	bool moved = false;
+	for (size_t v = 0; v < mesh->vertex_count; v++) {
+		const float *position = &positions[3 * (size_t)mesh->sources[v]];
+		moved = store(mesh->positions[v], position, 3) || moved;
+	}
+	*changed = find_normals(mesh, normals, sums) || moved;
+	free(sums);
+	if (!moved)
+		return true;
+	find_box(mesh);
+	caster_move(&mesh->caster, (const float(*)[3])mesh->positions);
+	mesh->solid = false;
+	mesh->stats.degenerate_triangles = mesh->caster.planes.degenerate;
+	return true;
+}
+
 void mesh_finish(struct mesh *mesh)
 {
 	free(mesh->name);
 	free(mesh->positions);
 	free(mesh->normals);
 	free(mesh->uvs);
+	free(mesh->sources);
 	free(mesh->indices);
 	caster_finish(&mesh->caster);
 	*mesh = (struct mesh){0};

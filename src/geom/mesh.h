@@ -13,6 +13,8 @@ struct mesh {
 	float (*positions)[3]; /* [vertex_count], without negative zeros */
 	float (*normals)[3];   /* unit */
 	float (*uvs)[2];       /* finite; zero when the description has none */
+	uint32_t *sources;     /* [vertex_count]: one of the description's that it is made of */
+	size_t source_count;   /* vertices of the description */
 	size_t index_count;
 	uint32_t *indices;
 
@@ -32,5 +34,15 @@ struct mesh {
  */
 bool mesh_init(struct mesh *mesh, const struct sm_mesh_desc *desc, struct sm_error *error);
 void mesh_finish(struct mesh *mesh);
+
+/**
+ * Moves the vertices, positions and normals as sm_scene_set_vertices() says; what mesh_init() found
+ * of vertices that coincide, of windings and of parts stays. A mesh whose positions change is not
+ * solid any more: how it folds is not looked into. *changed: whether positions or normals do. Fails
+ * (INPUT) on a position that is not finite, or for lack of memory (MACHINE), and changes nothing
+ * then.
+ */
+bool mesh_set_vertices(struct mesh *mesh, const float *positions, const float *normals,
+	bool *changed, struct sm_error *error);
 
 #endif

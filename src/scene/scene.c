@@ -125,6 +125,28 @@ void object_update_bounds(const struct sm_scene *scene, struct object *object)
 	glm_vec3_copy(box[1], object->max);
 }
 
+bool sm_scene_set_vertices(struct sm_scene *scene, uint32_t mesh, const float *positions,
+	const float *normals, struct sm_error *error)
+{
+	bool changed;
+	if (mesh >= scene->mesh_count)
+		return error_set(error, SM_ERROR_INPUT, "no mesh %u", mesh);
+	struct mesh *moved = &scene->meshes[mesh];
+	if (!mesh_set_vertices(moved, positions, normals, &changed, error))
+		return false;
+	if (!changed)
+		return true;
+	moved->version = scene_next_version(scene);
+	for (size_t i = 0; i < scene->object_count; i++) {
+		struct object *object = &scene->objects[i];
+		if (object->mesh != mesh)
+			continue;
+		object_update_bounds(scene, object);
+		object->version = moved->version;
+	}
+	return true;
+}
+
 static bool transform_is_valid(const float transform[16])
 {
 	return all_finite(transform, 16) && transform[3] == 0.0f && transform[7] == 0.0f &&

@@ -19,7 +19,7 @@ struct object {
 	vec3 base_color;
 	bool casts, receives, single_sided;
 	vec3 min, max;    /* world space */
-	uint64_t version; /* of all of the above but the name, see scene_next_version() */
+	uint64_t version; /* of all of the above but the name, and of the mesh's vertices */
 };
 
 struct light {

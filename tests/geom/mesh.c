@@ -284,6 +284,132 @@ static void names_a_mesh_without_name(void **state)
 	refuses(&desc, "mesh (unnamed): no triangle");
 }
 
+/* Powers of two round nothing: what coincides, and how parts are wound, stays. */
+static float *stretched(const struct model *model)
+{
+	float *positions = test_malloc(model->vertex_count * sizeof(*model->positions));
+	for (size_t v = 0; v < model->vertex_count; v++) {
+		positions[3 * v] = 2 * model->positions[v][0];
+		positions[3 * v + 1] = .5f * model->positions[v][1];
+		positions[3 * v + 2] = 4 * model->positions[v][2];
+	}
+	return positions;
+}
+
+static void check_same_caster(const struct caster *got, const struct caster *expected)
+{
+	assert_int_equal(got->vertex_count, expected->vertex_count);
+	assert_int_equal(got->triangle_count, expected->triangle_count);
+	assert_memory_equal(
+		got->positions, expected->positions, got->vertex_count * sizeof(*got->positions));
+	assert_memory_equal(
+		got->indices, expected->indices, 3 * got->triangle_count * sizeof(*got->indices));
+	assert_memory_equal(
+		got->planes.nx, expected->planes.nx, face_planes_bytes(&expected->planes));
+	assert_memory_equal(
+		got->planes.center, expected->planes.center, sizeof(got->planes.center));
+	assert_true(got->planes.radius == expected->planes.radius);
+	assert_int_equal(got->planes.degenerate, expected->planes.degenerate);
+}
+
+/* As if it had been made there. */
+static void check_moved(const char *name, const struct model *model)
+{
+	float *positions = stretched(model), *normals = test_calloc(model->vertex_count, 12);
+	bool changed;
+	for (size_t v = 0; v < model->vertex_count; v++)
+		normals[3 * v + 1] = 1;
+	struct sm_mesh_desc desc = model_desc(model, name);
+	desc.normals = normals;
+	struct mesh mesh = made(&desc);
+	desc.positions = positions;
+	struct mesh expected = made(&desc);
+	assert_true(mesh_set_vertices(&mesh, positions, normals, &changed, NULL));
+	assert_true(changed);
+	assert_int_equal(mesh.vertex_count, expected.vertex_count);
+	size_t bytes = mesh.vertex_count * sizeof(*mesh.positions);
+	assert_memory_equal(mesh.positions, expected.positions, bytes);
+	assert_memory_equal(mesh.normals, expected.normals, bytes);
+	assert_memory_equal(mesh.min, expected.min, sizeof(mesh.min));
+	assert_memory_equal(mesh.max, expected.max, sizeof(mesh.max));
+	check_same_caster(&mesh.caster, &expected.caster);
+	assert_memory_equal(&mesh.stats, &expected.stats, sizeof(mesh.stats));
+	assert_false(mesh.solid);
+	mesh_finish(&mesh);
+	mesh_finish(&expected);
+	test_free(positions);
+	test_free(normals);
+}
+
+static void moves_as_if_made_there(void **state)
+{
+	(void)state;
+	models_visit("/nowhere", check_moved);
+}
+
+static void moves_back_to_each_bit(void **state)
+{
+	(void)state;
+	struct model sphere = model_sphere(2);
+	struct sm_mesh_desc desc = model_desc(&sphere, "sphere");
+	struct mesh mesh = made(&desc), expected = made(&desc);
+	float *positions = stretched(&sphere);
+	bool changed;
+	assert_true(mesh_set_vertices(&mesh, desc.positions, NULL, &changed, NULL));
+	assert_true(!changed && mesh.solid);
+	assert_true(mesh_set_vertices(&mesh, positions, NULL, &changed, NULL));
+	assert_true(changed && !mesh.solid);
+	assert_true(mesh_set_vertices(&mesh, desc.positions, NULL, &changed, NULL));
+	assert_true(changed && !mesh.solid);
+	size_t bytes = mesh.vertex_count * sizeof(*mesh.positions);
+	assert_memory_equal(mesh.positions, expected.positions, bytes);
+	assert_memory_equal(mesh.normals, expected.normals, bytes);
+	check_same_caster(&mesh.caster, &expected.caster);
+	mesh_finish(&mesh);
+	mesh_finish(&expected);
+	model_finish(&sphere);
+	test_free(positions);
+}
+
+static void makes_normals_of_moved_vertices(void **state)
+{
+	(void)state;
+	struct sm_mesh_desc desc = square_desc();
+	struct mesh mesh = made(&desc);
+	/* Onto the plane x = 0, facing +x. */
+	const float positions[4][3] = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 1, 1}};
+	const float normals[4][3] = {{0, 2, 0}, {0, 0, 0}, {NAN, 0, 0}, {0, 0, 3}};
+	const float given[4][3] = {{0, 1, 0}, {1, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+	bool changed;
+	assert_true(mesh_set_vertices(&mesh, positions[0], NULL, &changed, NULL));
+	for (size_t v = 0; v < 4; v++)
+		assert_memory_equal(mesh.normals[v], ((float[]){1, 0, 0}), 12);
+	assert_true(mesh_set_vertices(&mesh, positions[0], normals[0], &changed, NULL));
+	assert_true(changed);
+	for (size_t v = 0; v < 4; v++)
+		assert_memory_equal(mesh.normals[v], given[mesh.sources[v]], 12);
+	mesh_finish(&mesh);
+}
+
+static void refuses_to_move_out_of_numbers(void **state)
+{
+	(void)state;
+	struct sm_mesh_desc desc = square_desc();
+	struct mesh mesh = made(&desc), expected = made(&desc);
+	struct sm_error error = {0};
+	float positions[4][3] = {{5, 5, 5}, {6, 5, 5}, {5, 6, 5}, {6, 6, INFINITY}};
+	bool changed;
+	assert_false(mesh_set_vertices(&mesh, positions[0], NULL, &changed, &error));
+	assert_int_equal(error.status, SM_ERROR_INPUT);
+	assert_string_equal(error.text, "mesh square: the position of vertex 3 is not finite");
+	assert_false(changed);
+	assert_memory_equal(mesh.positions, expected.positions, sizeof(positions));
+	assert_memory_equal(mesh.normals, expected.normals, sizeof(positions));
+	check_same_caster(&mesh.caster, &expected.caster);
+	mesh_finish(&mesh);
+	mesh_finish(&expected);
+}
+
 static void finish_takes_an_empty_mesh(void **state)
 {
 	(void)state;
@@ -306,6 +432,10 @@ int main(void)
 		cmocka_unit_test(refuses_bad_counts),
 		cmocka_unit_test(refuses_positions_that_are_not_finite),
 		cmocka_unit_test(names_a_mesh_without_name),
+		cmocka_unit_test(moves_as_if_made_there),
+		cmocka_unit_test(moves_back_to_each_bit),
+		cmocka_unit_test(makes_normals_of_moved_vertices),
+		cmocka_unit_test(refuses_to_move_out_of_numbers),
 		cmocka_unit_test(finish_takes_an_empty_mesh),
 	};
 	return cmocka_run_group_tests_name("mesh", tests, NULL, NULL);

@@ -200,6 +200,38 @@ static void transforms_are_set_on_objects_that_are_there(void **state)
 	assert_true(max[1] == 1);
 }
 
+static void moved_vertices_move_the_objects(void **state)
+{
+	struct sm_scene *scene = *state;
+	struct sm_error error = {0};
+	struct sm_object_desc desc = still;
+	static const float moved[][3] = {{-1, 0, 2}, {3, 0, 4}, {0, 7, 2}};
+	static const float broken[][3] = {{-1, 0, 2}, {3, 0, 4}, {0, (float)NAN, 2}};
+	uint32_t meshes[2], objects[3];
+	float min[3], max[3];
+	assert_false(sm_scene_set_vertices(scene, 0, moved[0], NULL, &error));
+	assert_input_error(&error, "no mesh 0");
+	assert_true(sm_scene_add_mesh(scene, &triangle, &meshes[0], NULL));
+	assert_true(sm_scene_add_mesh(scene, &triangle, &meshes[1], NULL));
+	for (uint32_t i = 0; i < 3; i++) {
+		desc.mesh = i / 2;
+		assert_true(sm_scene_add_object(scene, &desc, &objects[i], NULL));
+	}
+	uint64_t before = scene->version;
+	assert_true(sm_scene_set_vertices(scene, 0, positions[0], NULL, NULL));
+	assert_false(sm_scene_set_vertices(scene, 0, broken[0], NULL, &error));
+	assert_input_error(&error, "vertex 2 is not finite");
+	assert_true(scene->version == before);
+
+	assert_true(sm_scene_set_vertices(scene, 0, moved[0], NULL, NULL));
+	assert_true(scene->meshes[0].version > before && scene->meshes[1].version <= before);
+	assert_true(scene->objects[0].version > before && scene->objects[1].version > before &&
+		    scene->objects[2].version <= before);
+	assert_true(sm_scene_get_bounds(scene, false, min, max));
+	assert_true(max[1] == 7);
+	assert_true(scene->objects[2].max[1] == 1);
+}
+
 static void lights_that_are_none_are_refused(void **state)
 {
 	struct sm_scene *scene = *state;
@@ -330,6 +362,7 @@ int main(void)
 		scene_test(images_without_or_beyond_size_are_refused),
 		scene_test(objects_of_nothing_or_nowhere_are_refused),
 		scene_test(transforms_are_set_on_objects_that_are_there),
+		scene_test(moved_vertices_move_the_objects),
 		scene_test(lights_that_are_none_are_refused),
 		scene_test(a_directional_light_has_no_cone),
 		scene_test(bounds_enclose_objects_or_casters),
