@@ -307,13 +307,15 @@ bool mesh_set_vertices(struct mesh *mesh, const float *positions, const float *n
 		const float *position = &positions[3 * (size_t)mesh->sources[v]];
 		moved = store(mesh->positions[v], position, 3) || moved;
 	}
-	*changed = find_normals(mesh, normals, sums) || moved;
+	/* Whether it hides its back shows in no picture but by rounding; yet what a picture shows
+	 * is not to depend on whether the vertices were elsewhere meanwhile. */
+	*changed = find_normals(mesh, normals, sums) || moved || mesh->solid;
+	mesh->solid = false;
 	free(sums);
 	if (!moved)
 		return true;
 	find_box(mesh);
 	caster_move(&mesh->caster, (const float(*)[3])mesh->positions);
-	mesh->solid = false;
 	mesh->stats.degenerate_triangles = mesh->caster.planes.degenerate;
 	return true;
 }

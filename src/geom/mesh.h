@@ -37,10 +37,9 @@ void mesh_finish(struct mesh *mesh);
 
 /**
  * Moves the vertices, positions and normals as sm_scene_set_vertices() says; what mesh_init() found
- * of vertices that coincide, of windings and of parts stays. A mesh whose positions change is not
- * solid any more: how it folds is not looked into. *changed: whether positions or normals do. Fails
- * (INPUT) on a position that is not finite, or for lack of memory (MACHINE), and changes nothing
- * then.
+ * of vertices that coincide, of windings and of parts stays. The mesh is not solid from then on:
+ * how it folds is not looked into. *changed: whether anything does. Fails (INPUT) on a position
+ * that is not finite, or for lack of memory (MACHINE), and changes nothing then.
  */
 bool mesh_set_vertices(struct mesh *mesh, const float *positions, const float *normals,
 	bool *changed, struct sm_error *error);

@@ -4,11 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* As seen: 32 bytes, interleaved. */
-struct surface_vertex {
-	float position[3], normal[3], uv[2];
-};
-
 static void attribute(
 	struct gl *gl, enum attribute location, GLint size, size_t stride, size_t offset)
 {
@@ -17,12 +12,12 @@ static void attribute(
 		location, size, GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void *)offset);
 }
 
-static void upload_vertices(
-	struct gl *gl, GLuint *buffer, const void *data, size_t bytes, uint64_t *uploaded)
+/* The buffer's storage is a new one, so that a frame that is still being drawn keeps the old. */
+static void upload_vertices(struct gl *gl, GLuint buffer, const void *data, size_t bytes,
+	GLenum usage, uint64_t *uploaded)
 {
-	*buffer = gl_create_buffer(gl);
-	gl->BindBuffer(GL_ARRAY_BUFFER, *buffer);
-	gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, data, GL_STATIC_DRAW);
+	gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+	gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, data, usage);
 	*uploaded += bytes;
 }
 
@@ -52,21 +47,28 @@ static bool upload_indices(struct gl *gl, GLuint *buffer, const uint32_t *indice
 	return true;
 }
 
-static bool upload_surface(
-	struct gpu_mesh *gpu, struct gl *gl, const struct mesh *mesh, uint64_t *uploaded)
+/* vertices: [vertex_count] */
+static void interleave(const struct mesh *mesh, struct surface_vertex *vertices)
 {
-	struct surface_vertex *vertices = array_zalloc(mesh->vertex_count, sizeof(*vertices));
-	if (vertices == NULL)
-		return false;
 	for (size_t i = 0; i < mesh->vertex_count; i++) {
 		memcpy(vertices[i].position, mesh->positions[i], sizeof(vertices[i].position));
 		memcpy(vertices[i].normal, mesh->normals[i], sizeof(vertices[i].normal));
 		memcpy(vertices[i].uv, mesh->uvs[i], sizeof(vertices[i].uv));
 	}
+}
+
+static bool upload_surface(
+	struct gpu_mesh *gpu, struct gl *gl, const struct mesh *mesh, uint64_t *uploaded)
+{
+	struct surface_vertex *vertices = array_alloc(mesh->vertex_count, sizeof(*vertices));
+	if (vertices == NULL)
+		return false;
+	interleave(mesh, vertices);
 	gpu->surface = gl_create_vertex_array(gl);
+	gpu->surface_vertices = gl_create_buffer(gl);
 	gl->BindVertexArray(gpu->surface);
-	upload_vertices(gl, &gpu->surface_vertices, vertices,
-		mesh->vertex_count * sizeof(*vertices), uploaded);
+	upload_vertices(gl, gpu->surface_vertices, vertices, mesh->vertex_count * sizeof(*vertices),
+		GL_STATIC_DRAW, uploaded);
 	free(vertices);
 	size_t stride = sizeof(struct surface_vertex);
 	attribute(gl, ATTRIBUTE_POSITION, 3, stride, offsetof(struct surface_vertex, position));
@@ -81,9 +83,10 @@ static bool upload_caster(
 	struct gpu_mesh *gpu, struct gl *gl, const struct caster *caster, uint64_t *uploaded)
 {
 	gpu->caster = gl_create_vertex_array(gl);
+	gpu->caster_vertices = gl_create_buffer(gl);
 	gl->BindVertexArray(gpu->caster);
-	upload_vertices(gl, &gpu->caster_vertices, caster->positions,
-		caster->vertex_count * sizeof(*caster->positions), uploaded);
+	upload_vertices(gl, gpu->caster_vertices, caster->positions,
+		caster->vertex_count * sizeof(*caster->positions), GL_STATIC_DRAW, uploaded);
 	attribute(gl, ATTRIBUTE_POSITION, 3, sizeof(*caster->positions), 0);
 	size_t count = caster->triangle_count * 3;
 	gpu->caster_count = (GLsizei)count;
@@ -91,15 +94,19 @@ static bool upload_caster(
 		caster->vertex_count, &gpu->caster_type, uploaded);
 }
 
-static bool find_clusters(struct gpu_mesh *gpu, const struct mesh *mesh)
+static void find_clusters(struct gpu_mesh *gpu, const struct mesh *mesh)
 {
-	size_t triangle_count = mesh->index_count / 3;
-	gpu->cluster_count = clusters_count(triangle_count);
+	clusters_find((const float(*)[3])mesh->positions, mesh->indices, mesh->index_count / 3,
+		gpu->clusters);
+}
+
+static bool make_clusters(struct gpu_mesh *gpu, const struct mesh *mesh)
+{
+	gpu->cluster_count = clusters_count(mesh->index_count / 3);
 	gpu->clusters = array_alloc(gpu->cluster_count, sizeof(*gpu->clusters));
 	if (gpu->clusters == NULL)
 		return false;
-	clusters_find(
-		(const float(*)[3])mesh->positions, mesh->indices, triangle_count, gpu->clusters);
+	find_clusters(gpu, mesh);
 	return true;
 }
 
@@ -114,21 +121,48 @@ static void mesh_delete(struct gpu_mesh *gpu, struct gl *gl)
 	free(gpu->clusters);
 }
 
+static bool fail_full(const struct mesh *mesh, struct sm_error *error)
+{
+	return error_set(error, SM_ERROR_MACHINE, "mesh %s: not enough memory for the GPU",
+		mesh->name != NULL ? mesh->name : "without a name");
+}
+
 static bool mesh_upload(struct gpu_mesh *gpu, struct gl *gl, const struct mesh *mesh,
 	uint64_t *uploaded, struct sm_error *error)
 {
 	if (mesh->index_count > INT32_MAX || mesh->caster.triangle_count > INT32_MAX / 3)
 		return error_set(error, SM_ERROR_INPUT, "mesh %s: too large for one GL draw call",
 			mesh->name != NULL ? mesh->name : "without a name");
-	*gpu = (struct gpu_mesh){0};
+	*gpu = (struct gpu_mesh){.version = mesh->version};
 	bool done = upload_surface(gpu, gl, mesh, uploaded) &&
-		    upload_caster(gpu, gl, &mesh->caster, uploaded) && find_clusters(gpu, mesh);
+		    upload_caster(gpu, gl, &mesh->caster, uploaded) && make_clusters(gpu, mesh);
 	gl->BindVertexArray(0);
 	if (done && gl_take_error(gl) == NULL)
 		return true;
 	mesh_delete(gpu, gl);
-	return error_set(error, SM_ERROR_MACHINE, "mesh %s: not enough memory for the GPU",
-		mesh->name != NULL ? mesh->name : "without a name");
+	return fail_full(mesh, error);
+}
+
+/* The vertices, where they have moved. */
+static bool mesh_update(struct gpu_scene *scene, struct gpu_mesh *gpu, struct gl *gl,
+	const struct mesh *mesh, uint64_t *uploaded, struct sm_error *error)
+{
+	if (gpu->version == mesh->version)
+		return true;
+	if (!array_reserve((void **)&scene->vertices, &scene->vertex_capacity, mesh->vertex_count,
+		    sizeof(*scene->vertices)))
+		return error_no_memory(error);
+	interleave(mesh, scene->vertices);
+	upload_vertices(gl, gpu->surface_vertices, scene->vertices,
+		mesh->vertex_count * sizeof(*scene->vertices), GL_STREAM_DRAW, uploaded);
+	const struct caster *caster = &mesh->caster;
+	upload_vertices(gl, gpu->caster_vertices, caster->positions,
+		caster->vertex_count * sizeof(*caster->positions), GL_STREAM_DRAW, uploaded);
+	if (gl_take_error(gl) != NULL)
+		return fail_full(mesh, error);
+	find_clusters(gpu, mesh);
+	gpu->version = mesh->version;
+	return true;
 }
 
 static bool image_upload(GLuint *texture, struct gl *gl, const struct image *image,
@@ -157,6 +191,9 @@ bool gpu_scene_update(struct gpu_scene *gpu, struct gl *gl, const struct sm_scen
 		gpu_scene_finish(gpu, gl);
 		gpu->scene_id = scene->id;
 	}
+	for (size_t i = 0; i < gpu->mesh_count; i++)
+		if (!mesh_update(gpu, &gpu->meshes[i], gl, &scene->meshes[i], uploaded, error))
+			return false;
 	if (gpu->mesh_count == scene->mesh_count && gpu->image_count == scene->image_count)
 		return true;
 	size_t mesh_capacity = gpu->mesh_count, image_capacity = gpu->image_count;
@@ -185,5 +222,6 @@ void gpu_scene_finish(struct gpu_scene *gpu, struct gl *gl)
 		gl_delete_texture(gl, &gpu->images[i]);
 	free(gpu->meshes);
 	free(gpu->images);
+	free(gpu->vertices);
 	*gpu = (struct gpu_scene){0};
 }

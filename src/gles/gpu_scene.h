@@ -15,6 +15,11 @@ enum attribute {
 	ATTRIBUTE_WIDTH = ATTRIBUTE_UV,
 };
 
+/** As seen: 32 bytes, interleaved. */
+struct surface_vertex {
+	float position[3], normal[3], uv[2];
+};
+
 /** One mesh in GPU memory, twice: as seen, and welded, for the light's passes. */
 struct gpu_mesh {
 	GLuint surface, surface_vertices, surface_indices; /* vertex array, buffers */
@@ -23,6 +28,7 @@ struct gpu_mesh {
 	GLenum surface_type, caster_type;    /* of the indices: 16 bits where they fit */
 	struct cluster *clusters;            /* of the surface; owned */
 	size_t cluster_count;
+	uint64_t version; /* of the scene's mesh whose vertices these are */
 };
 
 /** The meshes and images of the scene that was drawn last. */
@@ -31,10 +37,13 @@ struct gpu_scene {
 	struct gpu_mesh *meshes;
 	GLuint *images;
 	size_t mesh_count, image_count;
+	/* Working memory, kept so that a mesh that moves allocates once; owned. */
+	struct surface_vertex *vertices;
+	size_t vertex_capacity;
 };
 
-/** Uploads what the scene has and this has not; another scene replaces all. Adds to *uploaded,
- *  bytes. Fails (MACHINE) for want of memory. */
+/** Uploads what the scene has and this has not, and vertices that have moved since; another scene
+ * replaces all. Adds to *uploaded, bytes. Fails (MACHINE) for want of memory. */
 bool gpu_scene_update(struct gpu_scene *gpu, struct gl *gl, const struct sm_scene *scene,
 	uint64_t *uploaded, struct sm_error *error);
 /** Fine on a zeroed one. */

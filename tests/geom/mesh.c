@@ -355,8 +355,11 @@ static void moves_back_to_each_bit(void **state)
 	struct mesh mesh = made(&desc), expected = made(&desc);
 	float *positions = stretched(&sphere);
 	bool changed;
+	assert_true(mesh.solid);
 	assert_true(mesh_set_vertices(&mesh, desc.positions, NULL, &changed, NULL));
-	assert_true(!changed && mesh.solid);
+	assert_true(changed && !mesh.solid);
+	assert_true(mesh_set_vertices(&mesh, desc.positions, NULL, &changed, NULL));
+	assert_false(changed);
 	assert_true(mesh_set_vertices(&mesh, positions, NULL, &changed, NULL));
 	assert_true(changed && !mesh.solid);
 	assert_true(mesh_set_vertices(&mesh, desc.positions, NULL, &changed, NULL));

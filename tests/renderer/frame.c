@@ -552,6 +552,24 @@ static void the_counters_are_those_of_the_last_frame(void **state)
 	assert_int_equal(second.silhouette_edges, 0);
 }
 
+static void vertices_that_move_are_uploaded_once(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_frame_stats stats;
+	const float high[][3] = {{-1, .2f, -1}, {-1, .2f, 1}, {1, .2f, 1}, {1, .2f, -1}};
+	set_up(rig->scene, PART_BOTH, PART_RECEIVES);
+	uint32_t further = parts_add_square(rig->scene);
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "hard"});
+	center_of(rig, rig->scene);
+	assert_true(sm_scene_set_vertices(rig->scene, further, high[0], NULL, NULL));
+	for (int frame = 0; frame < 2; frame++) {
+		center_of(rig, rig->scene);
+		sm_renderer_get_stats(rig->renderer, &stats);
+		/* Positions, normals and uvs of four vertices, and their positions once more. */
+		assert_int_equal(stats.uploaded_bytes, frame == 0 ? 4 * (32 + 12) : 0);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -572,6 +590,7 @@ int main(void)
 		rig_test(so_it_is_after_a_copy_to_a_screen),
 		rig_test(a_lamp_in_a_room_sees_what_is_near),
 		rig_test(the_counters_are_those_of_the_last_frame),
+		rig_test(vertices_that_move_are_uploaded_once),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

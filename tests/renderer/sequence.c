@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a renderer drew before makes no difference: not options, sizes, lights or places. */
+/* What a renderer drew before makes no difference: not options, sizes, lights, places or shapes. */
 #include "canvas.h"
 #include "parts.h"
 #include "platform.h"
@@ -63,12 +63,36 @@ static void move_block(struct sm_scene *scene, size_t step)
 	assert_true(sm_scene_set_transform(scene, 0, transform, NULL));
 }
 
+/* A wall, the third mesh, bent a bit more in each step. */
+static const float wall[6][3] = {
+	{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {-1, 1.5f, 0}, {0, 1.5f, 0}, {1, 1.5f, 0}};
+
+static void add_wall(struct sm_scene *scene)
+{
+	static const uint32_t indices[] = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
+	uint32_t mesh = parts_add_mesh(scene, wall, 6, indices, 12);
+	parts_add_object(
+		scene, mesh, PART_BOTH, &(struct pose){.scale = {1, 1, 1}, .position = {0, 0, -1}});
+}
+
+static void bend_wall(struct sm_scene *scene, size_t step)
+{
+	float bent[6][3];
+	memcpy(bent, wall, sizeof(bent));
+	for (int i = 0; i < 6; i += 3) {
+		bent[i][2] += .1f * (float)(step % 6);
+		bent[i + 1][2] -= .15f * (float)(step % 4);
+	}
+	assert_true(sm_scene_set_vertices(scene, 2, bent[0], NULL, NULL));
+}
+
 static void set_up(struct sm_scene *scene)
 {
 	uint32_t cube = parts_add_cube(scene);
 	parts_add_object(scene, cube, PART_BOTH, &(struct pose){.scale = {1, 1, 1}});
 	parts_add_object(
 		scene, parts_add_square(scene), PART_RECEIVES, &(struct pose){.scale = {3, 1, 3}});
+	add_wall(scene);
 	parts_add_light(
 		scene, &(struct sm_light_desc){.position = {1, 5, 1}, .radius = 0.4f, .angle = 60});
 	parts_add_light(scene,
@@ -84,6 +108,7 @@ static void what_was_before_makes_no_difference(void **state)
 	for (size_t step = 0; step < 3 * OPTIONS * VIEWS; step++) {
 		const struct sm_shadow_options *now = &options[step / 3 % OPTIONS];
 		move_block(rig->scene, step);
+		bend_wall(rig->scene, step);
 		rig->renderer = kept;
 		if (step % 3 == 0)
 			rig_set_shadows(rig, now);
