@@ -5,6 +5,7 @@
 #include "load/child.h"
 #include "load/color.h"
 #include "load/image.h"
+#include "load/import_rig.h"
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/material.h>
@@ -41,6 +42,7 @@ struct import {
 	struct model *model;
 	const struct aiScene *scene;
 	uint32_t *meshes;           /* [scene->mNumMeshes]: the model's mesh, or SM_NONE */
+	struct import_part *parts;  /* [model->object_count] */
 	struct material *materials; /* [scene->mNumMaterials] */
 	struct aiString *pictures;  /* [model->image_count]: what the images are called */
 };
@@ -289,11 +291,25 @@ static size_t count_objects(const struct import *import, const struct aiNode *no
 	return count;
 }
 
-static void add_object(struct import *import, const struct aiNode *node, unsigned index, mat4 world)
+/** Whether an object has the mesh that the model has of assimp's. */
+static bool is_taken(const struct import *import, unsigned index)
+{
+	const struct model *model = import->model;
+	for (size_t i = 0; i < model->object_count; i++)
+		if (model->objects[i].mesh == import->meshes[index])
+			return true;
+	return false;
+}
+
+static bool add_object(struct import *import, const struct aiNode *node, unsigned index, mat4 world)
 {
 	struct model *model = import->model;
 	const struct aiMesh *mesh = import->scene->mMeshes[index];
 	const struct material *material = &import->materials[mesh->mMaterialIndex];
+	/* Vertices that move are an object's own. */
+	if (import_deforms(mesh) && is_taken(import, index) && !add_mesh(import, index))
+		return false;
+	import->parts[model->object_count] = (struct import_part){node, mesh};
 	struct sm_object_desc *object = &model->objects[model->object_count++];
 	*object = (struct sm_object_desc){
 		.name = model_string(model, node->mName.data),
@@ -306,18 +322,45 @@ static void add_object(struct import *import, const struct aiNode *node, unsigne
 	};
 	memcpy(object->transform, world, sizeof(object->transform));
 	memcpy(object->base_color, material->color, sizeof(object->base_color));
+	return true;
 }
 
-static void add_node(struct import *import, const struct aiNode *node, mat4 parent)
+static bool add_node(struct import *import, const struct aiNode *node, mat4 parent)
 {
 	mat4 local, world;
 	copy_matrix(&node->mTransformation, local);
 	glm_mat4_mul(parent, local, world);
 	for (unsigned i = 0; i < node->mNumMeshes; i++)
-		if (import->meshes[node->mMeshes[i]] != SM_NONE)
-			add_object(import, node, node->mMeshes[i], world);
+		if (import->meshes[node->mMeshes[i]] != SM_NONE &&
+			!add_object(import, node, node->mMeshes[i], world))
+			return false;
 	for (unsigned i = 0; i < node->mNumChildren; i++)
-		add_node(import, node->mChildren[i], world);
+		if (!add_node(import, node->mChildren[i], world))
+			return false;
+	return true;
+}
+
+/** Room for so many objects, and for a mesh of its own for each, and all of them. */
+static bool add_objects(struct import *import)
+{
+	struct model *model = import->model;
+	const struct aiNode *root = import->scene->mRootNode;
+	size_t count = count_objects(import, root);
+	if (count == 0)
+		return fail(import, "without triangles");
+	model->objects = model_alloc(model, count, sizeof(*model->objects));
+	import->parts = model_alloc(model, count, sizeof(*import->parts));
+	struct sm_mesh_desc *meshes =
+		model_alloc(model, model->mesh_count + count, sizeof(*meshes));
+	if (model->objects == NULL || import->parts == NULL || meshes == NULL)
+		return fail_full(import);
+	memcpy(meshes, model->meshes, model->mesh_count * sizeof(*meshes));
+	model->meshes = meshes;
+	mat4 turn;
+	turn_up(import, turn);
+	return add_node(import, root, turn) &&
+	       (import_rig(import->scene, import->parts, turn, import->path, model) ||
+		       fail_full(import));
 }
 
 static const struct aiNode *find_node(const struct aiNode *node, const char *name)
@@ -514,7 +557,6 @@ static bool reserve(struct import *import)
 static bool read_model(void *data)
 {
 	struct import *import = data;
-	struct model *model = import->model;
 	import->scene = read_scene(import->path);
 	if (import->scene == NULL)
 		return fail_as_assimp(import);
@@ -524,17 +566,8 @@ static bool read_model(void *data)
 		return false;
 	for (unsigned i = 0; i < import->scene->mNumMaterials; i++)
 		add_material(import, i);
-	if (!add_meshes(import))
+	if (!add_meshes(import) || !add_objects(import))
 		return false;
-	size_t count = count_objects(import, import->scene->mRootNode);
-	if (count == 0)
-		return fail(import, "without triangles");
-	model->objects = model_alloc(model, count, sizeof(*model->objects));
-	if (model->objects == NULL)
-		return fail_full(import);
-	mat4 turn;
-	turn_up(import, turn);
-	add_node(import, import->scene->mRootNode, turn);
 	add_camera(import);
 	return add_lights(import);
 }

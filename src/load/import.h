@@ -6,8 +6,8 @@
 #include "load/plan.h"
 
 /**
- * Reads a model file in its rest pose into an empty model: triangles, base colours, base colour
- * pictures, lights, and the first camera.
+ * Reads a model file into an empty model: triangles in their rest pose and what moves them, base
+ * colours, base colour pictures, lights, and the first camera.
  *
  * Reading happens in a forked child with a limit of time (8 s, and 1 s for each MiB of the file)
  * and of memory: assimp 5.2 crashes, loops or runs out of memory on some damaged files.

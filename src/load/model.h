@@ -3,6 +3,7 @@
 #define LOAD_MODEL_H
 
 #include "base/error.h"
+#include "load/animation.h"
 #include <stddef.h>
 
 /** Sides of a picture go up to this, in texels; the limit of sm_scene_add_image(). */
@@ -44,6 +45,7 @@ struct model {
 	size_t object_count;
 	struct model_light *lights;
 	size_t light_count;
+	struct rig rig;
 	bool has_camera;
 	struct sm_camera camera; /**< near and far are 0 */
 	uint32_t width, height;  /**< of the picture that suits the camera; 0: any */
