@@ -9,7 +9,7 @@
 
 static double light_distance(const struct stage *stage)
 {
-	const struct sm_light_desc *light = &stage->motion.light_at_rest;
+	const struct sm_light_desc *light = &stage->motion.lights[0].rest;
 	return hypot(hypot((double)light->position[0] - (double)light->target[0],
 			     (double)light->position[1] - (double)light->target[1]),
 		(double)light->position[2] - (double)light->target[2]);
@@ -28,7 +28,7 @@ bool bench_cell_load(const struct bench_cell *cell, struct bench_size size, stru
 	stage_finish(stage);
 	if (!stage_load(stage, cell->scene, settings, 3, error))
 		return false;
-	if (stage->motion.light != 0) {
+	if (stage->motion.lights[0].light != 0) {
 		stage_finish(stage);
 		return error_set(error, SM_ERROR_INPUT,
 			"%.300s: its [motion] is of another light than the first, which is the one "

@@ -91,13 +91,15 @@ void model_transform(
 	memcpy(transform, matrix, sizeof(matrix));
 }
 
-static void to_world(
-	const struct model_placement *placement, const struct sm_object_desc *object, mat4 world)
+void model_object_transform(const struct model *model, const struct pose *pose,
+	const struct model_placement *placement, size_t object, float transform[16])
 {
 	mat4 inner, outer;
-	memcpy(inner, object->transform, sizeof(inner));
+	memcpy(inner, pose != NULL ? pose->transforms[object] : model->objects[object].transform,
+		sizeof(inner));
 	memcpy(outer, placement->transform, sizeof(outer));
-	glm_mat4_mul(outer, inner, world);
+	glm_mat4_mul(outer, inner, inner);
+	memcpy(transform, inner, sizeof(inner));
 }
 
 static void part_name(const struct model *model, const struct model_placement *placement,
@@ -109,26 +111,39 @@ static void part_name(const struct model *model, const struct model_placement *p
 		snprintf(name, 200, "%s/%s", placement->name, part->name);
 }
 
-static void grow_box(const struct sm_mesh_desc *mesh, mat4 world, float box[2][3])
+static void grow_box(const struct sm_mesh_desc *mesh, const float *positions,
+	const float transform[16], float box[2][3])
 {
+	mat4 world;
+	memcpy(world, transform, sizeof(world));
 	for (size_t i = 0; i < mesh->index_count; i++) {
 		vec3 point;
-		glm_mat4_mulv3(world, (float *)mesh->positions + 3 * mesh->indices[i], 1, point);
+		glm_mat4_mulv3(world, (float *)positions + 3 * mesh->indices[i], 1, point);
 		glm_vec3_minv(box[0], point, box[0]);
 		glm_vec3_maxv(box[1], point, box[1]);
 	}
 }
 
-void model_grow_box(const struct model *model, const struct model_placement *placement,
-	bool casters_only, float box[2][3])
+static const float *positions_of(const struct model *model, const struct pose *pose, size_t object)
+{
+	const struct rig *rig = &model->rig;
+	for (size_t i = 0; pose != NULL && i < rig->shape_count; i++)
+		if (rig->shapes[i].object == object)
+			return pose->shapes[i].positions;
+	return model->meshes[model->objects[object].mesh].positions;
+}
+
+void model_grow_box(const struct model *model, const struct pose *pose,
+	const struct model_placement *placement, bool casters_only, float box[2][3])
 {
 	for (size_t i = 0; i < model->object_count; i++) {
 		const struct sm_object_desc *object = &model->objects[i];
-		mat4 world;
+		float transform[16];
 		if (casters_only && !(object->casts && placement->casts))
 			continue;
-		to_world(placement, object, world);
-		grow_box(&model->meshes[object->mesh], world, box);
+		model_object_transform(model, pose, placement, i, transform);
+		grow_box(
+			&model->meshes[object->mesh], positions_of(model, pose, i), transform, box);
 	}
 }
 
@@ -140,9 +155,7 @@ static bool place_object(const struct model *model, size_t index,
 	char name[200];
 	part_name(model, placement, &desc, name);
 	desc.name = name;
-	mat4 world;
-	to_world(placement, &desc, world);
-	memcpy(desc.transform, world, sizeof(world));
+	model_object_transform(model, NULL, placement, index, desc.transform);
 	if (!isnan(placement->color[0]))
 		memcpy(desc.base_color, placement->color, sizeof(placement->color));
 	desc.casts = desc.casts && placement->casts;

@@ -81,12 +81,16 @@ struct model_placement {
 	bool casts, receives;
 };
 
-/** Grows a box in world space, min then max, around the triangles of a placed model; exactly, so
- *  that what stands on the box's floor touches it. */
-void model_grow_box(const struct model *model, const struct model_placement *placement,
-	bool casters_only, float box[2][3]);
+/** An object of a placed model to world space. pose: of the model's rig; NULL: at rest. */
+void model_object_transform(const struct model *model, const struct pose *pose,
+	const struct model_placement *placement, size_t object, float transform[16]);
 
-/** Adds meshes, images and objects of a model to a scene. */
+/** Grows a box in world space, min then max, around the triangles of a placed model; exactly, so
+ *  that what stands on the box's floor touches it. pose: as above. */
+void model_grow_box(const struct model *model, const struct pose *pose,
+	const struct model_placement *placement, bool casters_only, float box[2][3]);
+
+/** Adds meshes, images and objects of a model, at rest, to a scene, in the model's order. */
 bool model_place(const struct model *model, const struct model_placement *placement,
 	struct sm_scene *scene, struct sm_error *error);
 

@@ -22,6 +22,7 @@ void plan_finish(struct plan *plan)
 	for (size_t i = 0; i < plan->object_count; i++) {
 		free(plan->objects[i].name);
 		free(plan->objects[i].model);
+		free(plan->objects[i].animation);
 	}
 	free(plan->lights);
 	free(plan->objects);

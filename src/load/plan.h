@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "load/key.h"
+#include "load/motion.h"
 #include <stddef.h>
 
 enum plan_up { PLAN_UP_AUTO, PLAN_UP_Y, PLAN_UP_Z };
@@ -11,9 +12,15 @@ enum plan_show { PLAN_SHOW_AUTO, PLAN_SHOW_YES, PLAN_SHOW_NO };
 enum plan_turns { PLAN_TURNS_CAMERA, PLAN_TURNS_LIGHT };
 enum plan_samples { PLAN_SAMPLES_1, PLAN_SAMPLES_4 };
 
+struct plan_camera {
+	struct sm_camera desc;
+	struct motion_path path;
+};
+
 struct plan_light {
 	char *name;                /* owned */
 	struct sm_light_desc desc; /* its name is not used */
+	struct motion_path path;
 	uint64_t given;
 };
 
@@ -23,6 +30,11 @@ struct plan_object {
 	enum plan_up up;
 	float position[3], rotation[3], scale[3], color[3];
 	bool casts, receives;
+	float spin[3];   /* degrees a second, added to rotation */
+	float center[3]; /* of the orbit */
+	struct motion_path path;
+	char *animation; /* owned; NULL: the first; "none" */
+	float speed;     /* of the animation */
 	uint64_t given;
 };
 
@@ -57,7 +69,7 @@ struct plan_output {
  * scene, is NaN.
  */
 struct plan {
-	struct sm_camera camera;
+	struct plan_camera camera;
 	struct plan_light *lights;
 	size_t light_count, light_capacity;
 	struct plan_object *objects;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "load/stage.h"
 #include "base/array.h"
+#include "load/actor.h"
 #include "load/builtin.h"
 #include "load/defaults.h"
 #include "load/import.h"
-#include "load/motion.h"
 #include "load/scene_file.h"
 #include "load/setting.h"
 #include <cglm/cglm.h>
@@ -19,7 +19,7 @@ static const char builtin_prefix[] = "builtin:";
 struct builder {
 	const char *source;
 	struct plan plan;
-	struct model **models;      /* [plan.object_count], may be NULL */
+	struct actor *actors;       /* [plan.object_count], may be NULL */
 	struct model_light *lights; /* [plan.light_count] if they come from models, else NULL */
 	size_t light_count, light_capacity;
 	struct sm_scene *scene;
@@ -72,21 +72,23 @@ static struct model *load_model(const struct plan_object *object, struct sm_erro
 	return NULL;
 }
 
-static bool load_models(struct builder *builder, struct sm_error *error)
+static bool load_actors(struct builder *builder, struct sm_error *error)
 {
 	struct plan *plan = &builder->plan;
-	builder->models = array_zalloc(plan->object_count, sizeof(*builder->models));
-	if (builder->models == NULL)
+	builder->actors = array_zalloc(plan->object_count, sizeof(*builder->actors));
+	if (builder->actors == NULL)
 		return error_no_memory(error);
 	if (plan->object_count == 0)
 		return error_set(error, SM_ERROR_INPUT, "%s: no [object NAME], so nothing to draw",
 			builder->source);
 	for (size_t i = 0; i < plan->object_count; i++) {
-		if (plan->objects[i].model == NULL)
+		const struct plan_object *object = &plan->objects[i];
+		if (object->model == NULL)
 			return error_set(error, SM_ERROR_INPUT, "%s: [object %s] has no model",
-				builder->source, plan->objects[i].name);
-		builder->models[i] = load_model(&plan->objects[i], error);
-		if (builder->models[i] == NULL)
+				builder->source, object->name);
+		struct model *model = load_model(object, error);
+		if (model == NULL ||
+			!actor_init(&builder->actors[i], object, model, builder->source, error))
 			return false;
 	}
 	return true;
@@ -98,7 +100,7 @@ static void adopt_suggestions(struct builder *builder)
 	struct plan *plan = &builder->plan;
 	bool has_camera = false, has_ground = false;
 	for (size_t i = 0; i < plan->object_count; i++) {
-		const struct model *model = builder->models[i];
+		const struct model *model = builder->actors[i].model;
 		has_camera = has_camera || model->has_camera;
 		if (model->ground_size > 0) {
 			has_ground = true;
@@ -195,7 +197,7 @@ static bool adopt_light(struct builder *builder, const struct model_light *sourc
 static bool adopt_camera(
 	struct builder *builder, const struct sm_camera *source, mat4 world, struct sm_error *error)
 {
-	struct sm_camera *camera = &builder->plan.camera;
+	struct sm_camera *camera = &builder->plan.camera.desc;
 	if (isnan(camera->eye[0]))
 		glm_mat4_mulv3(world, (float *)source->eye, 1, camera->eye);
 	if (isnan(camera->target[0]))
@@ -207,25 +209,14 @@ static bool adopt_camera(
 	return check_place(builder->source, "a camera", camera->eye, error);
 }
 
-static void placement_of(const struct plan_object *object, struct model_placement *placement)
-{
-	*placement = (struct model_placement){
-		.name = object->name, .casts = object->casts, .receives = object->receives};
-	memcpy(placement->color, object->color, sizeof(object->color));
-	model_transform(object->position, object->rotation, object->scale, placement->transform);
-}
-
 /** The box around the casters, or around everything if nothing casts. */
 static void find_box(const struct builder *builder, float box[2][3])
 {
 	glm_vec3_broadcast(INFINITY, box[0]);
 	glm_vec3_broadcast(-INFINITY, box[1]);
 	for (int pass = 0; pass < 2 && box[0][0] > box[1][0]; pass++) {
-		for (size_t i = 0; i < builder->plan.object_count; i++) {
-			struct model_placement placement;
-			placement_of(&builder->plan.objects[i], &placement);
-			model_grow_box(builder->models[i], &placement, pass == 0, box);
-		}
+		for (size_t i = 0; i < builder->plan.object_count; i++)
+			actor_grow_box(&builder->actors[i], pass == 0, box);
 	}
 }
 
@@ -234,11 +225,12 @@ static bool place_model(
 	struct builder *builder, size_t index, bool with_lights, struct sm_error *error)
 {
 	const struct plan_object *object = &builder->plan.objects[index];
-	const struct model *model = builder->models[index];
+	struct actor *actor = &builder->actors[index];
+	const struct model *model = actor->model;
 	struct model_placement placement;
-	placement_of(object, &placement);
+	actor_placement(actor, &placement);
 	struct sm_error cause;
-	if (!model_place(model, &placement, builder->scene, &cause))
+	if (!actor_place(actor, object->name, builder->scene, &cause))
 		return error_set(error, cause.status, "%s: %s", object->model, cause.text);
 	mat4 world;
 	memcpy(world, placement.transform, sizeof(world));
@@ -328,11 +320,10 @@ static bool check_camera(const struct sm_camera *camera, const char *source, str
 	       error_set(error, SM_ERROR_INPUT, "%s: [camera] %s", source, problem);
 }
 
-/** What moves, of a plan whose camera and lights are complete. */
-static bool resolve_motion(
-	const struct builder *builder, struct stage_motion *motion, struct sm_error *error)
+/** Takes what [motion] turns into the path of the camera or a light. */
+static bool resolve_turn(struct builder *builder, struct sm_error *error)
 {
-	const struct plan *plan = &builder->plan;
+	struct plan *plan = &builder->plan;
 	bool of_light = plan->motion.turns == PLAN_TURNS_LIGHT;
 	const char *name = plan->motion.light;
 	if (name != NULL && !of_light)
@@ -346,37 +337,68 @@ static bool resolve_motion(
 			"%s: [motion] no light is called \"%.40s\"; known: %s", builder->source,
 			name, known);
 	}
-	*motion = (struct stage_motion){
-		.part = plan->motion.period == 0 ? STAGE_NOTHING
-			: of_light               ? STAGE_LIGHT
-						 : STAGE_CAMERA,
-		.period = plan->motion.period,
-		.camera = plan->camera,
-		.light = (uint32_t)light,
-		.light_at_rest = plan->lights[light].desc,
-	};
-	/* The scene would copy it each time, and the plan's does not last. */
-	motion->light_at_rest.name = NULL;
+	struct motion_path *path = of_light ? &plan->lights[light].path : &plan->camera.path;
+	if (plan->motion.period == 0)
+		return true;
+	if (path->orbit != 0)
+		return error_set(error, SM_ERROR_INPUT,
+			"%s: [motion] turns what has an orbit of its own", builder->source);
+	path->orbit = plan->motion.period;
 	return true;
+}
+
+static bool keep_lights(
+	const struct plan *plan, struct stage_motion *motion, struct sm_error *error)
+{
+	motion->lights = array_alloc(plan->light_count, sizeof(*motion->lights));
+	if (motion->lights == NULL)
+		return error_no_memory(error);
+	for (size_t i = 0; i < plan->light_count; i++) {
+		const struct plan_light *light = &plan->lights[i];
+		if (!motion_moves(&light->path))
+			continue;
+		struct stage_light *kept = &motion->lights[motion->light_count++];
+		*kept = (struct stage_light){(uint32_t)i, light->desc, light->path};
+		/* The scene would copy it each time, and the plan's does not last. */
+		kept->rest.name = NULL;
+	}
+	return true;
+}
+
+/** Takes the actors that move to the front of their array, and the array from the builder. */
+static void keep_actors(struct builder *builder, struct stage_motion *motion)
+{
+	motion->actors = builder->actors;
+	builder->actors = NULL;
+	for (size_t i = 0; i < builder->plan.object_count; i++) {
+		struct actor *actor = &motion->actors[i];
+		if (actor_moves(actor))
+			motion->actors[motion->actor_count++] = *actor;
+		else
+			actor_finish(actor);
+	}
 }
 
 /** Hands the results over to the stage. */
 static bool finish_stage(struct builder *builder, struct stage *stage, struct sm_error *error)
 {
 	struct plan *plan = &builder->plan;
+	struct sm_camera *camera = &plan->camera.desc;
 	const struct plan_shadow *shadow = &plan->shadow;
 	float aspect = (float)plan->output.width / (float)plan->output.height;
 	struct stage_framing framing = {
-		.frame = builder->frame, .light = plan->lights[0].desc, .open = plan->camera};
+		.frame = builder->frame, .light = plan->lights[0].desc, .open = *camera};
 	framing.light.name = NULL;
-	frame_complete_camera(&builder->frame, &plan->lights[0].desc, aspect, &plan->camera);
-	struct stage_motion motion;
-	if (!check_camera(&plan->camera, builder->source, error) ||
-		!resolve_motion(builder, &motion, error))
+	frame_complete_camera(&builder->frame, &plan->lights[0].desc, aspect, camera);
+	struct stage_motion motion = {.camera = *camera};
+	if (!check_camera(camera, builder->source, error) || !resolve_turn(builder, error) ||
+		!keep_lights(plan, &motion, error))
 		return false;
+	motion.camera_path = plan->camera.path;
+	keep_actors(builder, &motion);
 	*stage = (struct stage){
 		.scene = builder->scene,
-		.camera = plan->camera,
+		.camera = *camera,
 		.framing = framing,
 		.motion = motion,
 		.shadow = {.technique = shadow->technique,
@@ -398,9 +420,9 @@ static bool finish_stage(struct builder *builder, struct stage *stage, struct sm
 
 static void builder_finish(struct builder *builder)
 {
-	for (size_t i = 0; builder->models != NULL && i < builder->plan.object_count; i++)
-		model_destroy(builder->models[i]);
-	free(builder->models);
+	for (size_t i = 0; builder->actors != NULL && i < builder->plan.object_count; i++)
+		actor_finish(&builder->actors[i]);
+	free(builder->actors);
 	free(builder->lights);
 	sm_scene_destroy(builder->scene);
 	plan_finish(&builder->plan);
@@ -413,7 +435,7 @@ bool stage_load(struct stage *stage, const char *source, const char *const *sett
 	*stage = (struct stage){0};
 	bool ok = plan_init(&builder.plan, error) && read_source(&builder, error) &&
 		  settings_apply(&builder.plan, settings, setting_count, false, error) &&
-		  load_models(&builder, error);
+		  load_actors(&builder, error);
 	if (ok)
 		adopt_suggestions(&builder);
 	ok = ok && fill_scene(&builder, error) &&
@@ -425,6 +447,10 @@ bool stage_load(struct stage *stage, const char *source, const char *const *sett
 
 void stage_finish(struct stage *stage)
 {
+	for (size_t i = 0; i < stage->motion.actor_count; i++)
+		actor_finish(&stage->motion.actors[i]);
+	free(stage->motion.actors);
+	free(stage->motion.lights);
 	sm_scene_destroy(stage->scene);
 	free(stage->technique);
 	*stage = (struct stage){0};
@@ -443,23 +469,24 @@ void stage_set_size(struct stage *stage, uint32_t width, uint32_t height)
 
 bool stage_moves(const struct stage *stage)
 {
-	return stage->motion.part != STAGE_NOTHING;
+	const struct stage_motion *motion = &stage->motion;
+	return motion_moves(&motion->camera_path) || motion->light_count > 0 ||
+	       motion->actor_count > 0;
 }
 
 bool stage_set_time(struct stage *stage, double seconds, struct sm_error *error)
 {
-	const struct stage_motion *motion = &stage->motion;
-	double phase = motion_phase(seconds, motion->period);
-	struct sm_light_desc light;
-	switch (motion->part) {
-	case STAGE_NOTHING:
-		break;
-	case STAGE_CAMERA:
-		motion_turn_camera(phase, &motion->camera, &stage->camera);
-		break;
-	case STAGE_LIGHT:
-		motion_turn_light(phase, &motion->light_at_rest, &light);
-		return sm_scene_set_light(stage->scene, motion->light, &light, error);
+	struct stage_motion *motion = &stage->motion;
+	motion_camera(&motion->camera_path, seconds, &motion->camera, &stage->camera);
+	for (size_t i = 0; i < motion->light_count; i++) {
+		const struct stage_light *moved = &motion->lights[i];
+		struct sm_light_desc light;
+		motion_light(&moved->path, seconds, &moved->rest, &light);
+		if (!sm_scene_set_light(stage->scene, moved->light, &light, error))
+			return false;
 	}
+	for (size_t i = 0; i < motion->actor_count; i++)
+		if (!actor_set_time(&motion->actors[i], seconds, stage->scene, error))
+			return false;
 	return true;
 }

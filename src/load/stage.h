@@ -3,6 +3,7 @@
 #define LOAD_STAGE_H
 
 #include "load/defaults.h"
+#include "load/motion.h"
 
 /** Pixels of the picture. */
 struct stage_output {
@@ -10,16 +11,23 @@ struct stage_output {
 	uint32_t samples;       /**< of multisampling: 1 or 4 */
 };
 
-/** What of a stage goes round. */
-enum stage_part { STAGE_NOTHING, STAGE_CAMERA, STAGE_LIGHT };
+struct actor;
 
-/** How a part goes round its target, and where it is at time 0. */
+/** A light that moves. */
+struct stage_light {
+	uint32_t light;            /**< of the scene */
+	struct sm_light_desc rest; /**< at time 0; without its name */
+	struct motion_path path;
+};
+
+/** What moves, and where it is at time 0. */
 struct stage_motion {
-	enum stage_part part;
-	double period;           /**< seconds a turn; negative: clockwise as seen from above */
-	struct sm_camera camera; /**< at time 0 */
-	uint32_t light;          /**< the one that moves */
-	struct sm_light_desc light_at_rest; /**< at time 0; without its name */
+	struct motion_path camera_path;
+	struct sm_camera camera;
+	struct stage_light *lights; /**< owned, in the order of the scene */
+	size_t light_count;
+	struct actor *actors; /**< owned: the objects that move */
+	size_t actor_count;
 };
 
 /** What a camera's defaults follow from. */
@@ -63,8 +71,9 @@ void stage_set_size(struct stage *stage, uint32_t width, uint32_t height);
 
 /** Whether its picture changes with time. */
 bool stage_moves(const struct stage *stage);
-/** Puts the part that moves where it is at a time, which is finite; at 0 everything is as it was
- *  loaded, bit for bit. Fails (INPUT) where rounding puts a light onto its target. */
+/** Puts what moves where it is at a time, which is finite: the same bits for the same time, and at
+ * 0 those that were loaded. Fails (INPUT) where rounding puts a light onto its target, or numbers
+ *  become too large. */
 bool stage_set_time(struct stage *stage, double seconds, struct sm_error *error);
 
 #endif

@@ -338,7 +338,7 @@ static float height_of(const char *path, enum plan_up up)
 	struct model *model = load(path, up);
 	struct model_placement placement = {.transform = {[0] = 1, [5] = 1, [10] = 1, [15] = 1}};
 	float box[2][3] = {{9, 9, 9}, {-9, -9, -9}};
-	model_grow_box(model, &placement, false, box);
+	model_grow_box(model, NULL, &placement, false, box);
 	model_destroy(model);
 	return box[1][1] - box[0][1];
 }

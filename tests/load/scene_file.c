@@ -20,7 +20,7 @@ static void every_default_can_be_parsed(void **state)
 	assert_non_null(plan_add_object(&plan, "b", NULL));
 	assert_float_equal(plan.lights[0].desc.intensity, 1, 0);
 	assert_true(plan.objects[0].casts);
-	assert_true(isnan(plan.camera.eye[0]));
+	assert_true(isnan(plan.camera.desc.eye[0]));
 	plan_finish(&plan);
 }
 
@@ -134,7 +134,8 @@ static void bad_input_is_named_with_its_place(void **state)
 		{"[camera\n", ":1: a ] is missing after [camera"},
 		{"[camera] fov = 3\n", ":1: nothing may follow the heading, but \"fov = 3\" does"},
 		{"[camera]\nzoom = 1\n",
-			":2: [camera] has no key \"zoom\"; it has eye, target, up, fov, near, far"},
+			":2: [camera] has no key \"zoom\"; it has eye, target, up, fov, near, "
+			"far, orbit, travel, travel-time"},
 		{"fov = 3\n", ":1: fov stands before the first [section]"},
 		{"[camera]\n\nfov\n", ":3: neither a [section] nor key = value"},
 		{"[camera]\nfov\nzoom = 1\n", ":2: neither a [section] nor key = value"},
@@ -250,7 +251,7 @@ static void long_comments_are_fine(void **state)
 	struct plan plan;
 	assert_true(plan_init(&plan, NULL));
 	assert_true(scene_file_read(folder_write_text("comment.ini", text), &plan, NULL));
-	assert_float_equal(plan.camera.fov, 40, 0);
+	assert_float_equal(plan.camera.desc.fov, 40, 0);
 	plan_finish(&plan);
 }
 
@@ -294,7 +295,7 @@ static void settings_reach_one_or_all(void **state)
 	(void)state;
 	settings_setup(&plan);
 	assert_true(settings_apply(&plan, settings, 6, false, NULL));
-	assert_float_equal(plan.camera.fov, 31, 0);
+	assert_float_equal(plan.camera.desc.fov, 31, 0);
 	assert_false(plan.objects[0].casts);
 	assert_float_equal(plan.objects[0].color[1], 1, 0);
 	assert_true(isnan(plan.lights[0].desc.radius));
@@ -317,7 +318,7 @@ static void bad_settings_are_named(void **state)
 			      "ground, environment, motion, shadow, output"},
 		{"camera x.fov=3", "--set camera x.fov: camera takes no name"},
 		{"camera.zoom=3", "--set camera.zoom: [camera] has no key \"zoom\"; it has eye, "
-				  "target, up, fov, near, far"},
+				  "target, up, fov, near, far, orbit, travel, travel-time"},
 		{"camera.fov=0", "--set camera.fov: fov cannot be \"0\"; it takes a number from 1 "
 				 "to 170"},
 		{"light rim.radius=1", "--set light rim.radius: no such light; known: key, fill"},
