@@ -20,7 +20,7 @@ static void forget_meshes(struct tile_depths *depths)
 	depths->cluster_count = 0;
 }
 
-/* Meshes are never taken from a scene, nor changed. */
+/* Meshes are never taken from a scene. */
 static bool reserve_meshes(struct tile_depths *depths, const struct sm_scene *scene)
 {
 	if (depths->scene_id != scene->id)
@@ -57,19 +57,24 @@ struct triangles {
 	const float (*positions)[3];
 	size_t count;
 	const uint32_t *indices;
+	uint64_t version;
 };
 
-/* Sets *clusters to the triangles' boxes unless it has them. */
-static bool have_clusters(
-	struct tile_depths *depths, struct cluster **clusters, const struct triangles *triangles)
+/* Sets *clusters to the triangles' boxes unless it has them, of *version. */
+static bool have_clusters(struct tile_depths *depths, struct cluster **clusters, uint64_t *version,
+	const struct triangles *triangles)
 {
-	if (*clusters != NULL)
-		return true;
-	*clusters = array_alloc(clusters_count(triangles->count), sizeof(**clusters));
-	if (*clusters == NULL)
-		return false;
-	clusters_find(triangles->positions, triangles->indices, triangles->count, *clusters);
-	depths->cluster_count += clusters_count(triangles->count);
+	if (*clusters == NULL) {
+		*clusters = array_alloc(clusters_count(triangles->count), sizeof(**clusters));
+		if (*clusters == NULL)
+			return false;
+		depths->cluster_count += clusters_count(triangles->count);
+		*version = 0; /* no mesh has it */
+	}
+	if (*version != triangles->version)
+		clusters_find(
+			triangles->positions, triangles->indices, triangles->count, *clusters);
+	*version = triangles->version;
 	return true;
 }
 
@@ -115,9 +120,9 @@ bool tile_depths_add_receiver(struct tile_depths *depths, const struct sm_scene 
 {
 	const struct mesh *mesh = &scene->meshes[object->mesh];
 	struct triangles triangles = {mesh->vertex_count, (const float(*)[3])mesh->positions,
-		mesh->index_count / 3, mesh->indices};
+		mesh->index_count / 3, mesh->indices, mesh->version};
 	struct tile_fill fill = {depths->deepest, depths->tiles, RECEIVER_MARGIN};
-	struct cluster **clusters = &depths->meshes[object->mesh].drawn;
+	struct mesh_clusters *known = &depths->meshes[object->mesh];
 	mat4 to_clip;
 	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
 	if (tile_fill_has_box(&fill, to_clip, mesh->min, mesh->max))
@@ -126,31 +131,32 @@ bool tile_depths_add_receiver(struct tile_depths *depths, const struct sm_scene 
 		fill_few(&fill, &triangles, to_clip, NULL);
 		return true;
 	}
-	if (!have_clusters(depths, clusters, &triangles))
+	if (!have_clusters(depths, &known->drawn, &known->drawn_version, &triangles))
 		return false;
 	for (size_t i = 0; i < clusters_count(triangles.count); i++)
-		tile_fill_box(&fill, to_clip, (*clusters)[i].min, (*clusters)[i].max);
+		tile_fill_box(&fill, to_clip, known->drawn[i].min, known->drawn[i].max);
 	return true;
 }
 
 bool tile_depths_add_caster(struct tile_depths *depths, const struct sm_scene *scene,
 	const struct object *object, const struct caster_view *view, float margin)
 {
-	const struct caster *caster = &scene->meshes[object->mesh].caster;
+	const struct mesh *mesh = &scene->meshes[object->mesh];
+	const struct caster *caster = &mesh->caster;
 	struct triangles triangles = {caster->vertex_count, (const float(*)[3])caster->positions,
-		caster->triangle_count, caster->indices};
+		caster->triangle_count, caster->indices, mesh->version};
 	struct tile_fill fill = {depths->farthest, depths->tiles, margin};
-	struct cluster **clusters = &depths->meshes[object->mesh].casting;
+	struct mesh_clusters *known = &depths->meshes[object->mesh];
 	vec4 *to_clip = (vec4 *)view->to_clip;
 	if (are_few(&triangles)) {
 		fill_few(&fill, &triangles, to_clip, view);
 		return true;
 	}
-	if (!have_clusters(depths, clusters, &triangles))
+	if (!have_clusters(depths, &known->casting, &known->casting_version, &triangles))
 		return false;
 	for (size_t i = 0; i < clusters_count(triangles.count); i++)
 		if (has_sheets(view, i * CLUSTER_TRIANGLES))
-			tile_fill_box(&fill, to_clip, (*clusters)[i].min, (*clusters)[i].max);
+			tile_fill_box(&fill, to_clip, known->casting[i].min, known->casting[i].max);
 	return true;
 }
 

@@ -7,8 +7,9 @@
 
 /** Boxes of a mesh's triangles; each may be NULL until it is needed. */
 struct mesh_clusters {
-	struct cluster *drawn;   /* of the mesh's triangles, owned */
-	struct cluster *casting; /* of the caster's, owned */
+	struct cluster *drawn;                   /* of the mesh's triangles, owned */
+	struct cluster *casting;                 /* of the caster's, owned */
+	uint64_t drawn_version, casting_version; /* of the mesh they are of */
 };
 
 /**
