@@ -158,6 +158,13 @@ bool options_rate(const char *text, uint32_t *numerator, uint32_t *denominator)
 	return seconds > 0 && frames * 1000 >= seconds && frames <= seconds * 1000;
 }
 
+bool options_range(const char *text, uint32_t max, uint32_t *first, uint32_t *last)
+{
+	if (!read_number(&text, ':', max, first))
+		*first = 1;
+	return read_number(&text, '\0', max, last) && *first >= 1 && *first <= *last;
+}
+
 bool options_size(const char *text, uint32_t *width, uint32_t *height)
 {
 	return read_number(&text, 'x', INT32_MAX, width) && *width > 0 &&

@@ -64,6 +64,9 @@ bool options_real(const char *text, double min, double max, double *value);
 /** A rate "N" or "N/D", each from 1 to 2^31 - 1, that is from 0.001 to 1000. */
 bool options_rate(const char *text, uint32_t *numerator, uint32_t *denominator);
 
+/** Of things numbered from 1 to max: "N", the first N, or "A:B", from A to B with both of them. */
+bool options_range(const char *text, uint32_t max, uint32_t *first, uint32_t *last);
+
 /** "WIDTHxHEIGHT", each from 1 to 2^31 - 1. */
 bool options_size(const char *text, uint32_t *width, uint32_t *height);
 

@@ -36,7 +36,7 @@ static const struct flag flags[] = {
 	SCENE_FLAGS,
 	{FLAG_VISIBILITY, "visibility", "[=LIGHT]",
 		"16-bit grey: the share of a light (0) that arrives"},
-	{FLAG_FRAMES, "frames", "N", "write N numbered pictures"},
+	{FLAG_FRAMES, "frames", "N|A:B", "write N numbered pictures, or those from A to B"},
 	{FLAG_FPS, "fps", "F", "frames a second of the scene's time, with --frames; default: 25"},
 	{FLAG_STATS, "stats", NULL, "print times and counts"},
 	DRIVER_FLAGS,
@@ -49,9 +49,11 @@ struct render_options {
 	struct common_options common;
 	struct scene_options scene;
 	struct driver_options driver;
-	char *output;                   /* owned */
-	uint32_t width, height, frames; /* 0: not given */
-	uint32_t rate, rate_divisor;    /* frames a second; rate 0: not given */
+	char *output;                /* owned */
+	uint32_t width, height;      /* 0: not given */
+	bool is_sequence;            /* of numbered pictures */
+	uint32_t first, last;        /* frames, counted from 1, both drawn */
+	uint32_t rate, rate_divisor; /* frames a second; rate 0: not given */
 	uint32_t visibility_of;
 	bool stats;
 };
@@ -98,9 +100,12 @@ static bool read_flag(
 		       options_error(error, &render_command,
 			       "--visibility=%.40s: a light's number, from 0, is wanted", value);
 	case FLAG_FRAMES:
-		return options_number(value, 1, 1000000, &options->frames) ||
+		options->is_sequence = true;
+		return options_range(value, 1000000, &options->first, &options->last) ||
 		       options_error(error, &render_command,
-			       "--frames %.40s: a number from 1 to 1000000 is wanted", value);
+			       "--frames %.40s: a number from 1 to 1000000 is wanted, or two: 3:5 "
+			       "for the third to the fifth",
+			       value);
 	case FLAG_FPS:
 		return options_rate(value, &options->rate, &options->rate_divisor) ||
 		       options_error(error, &render_command,
@@ -119,11 +124,11 @@ static bool read_flag(
 static bool check_options(const struct render_options *options, struct sm_error *error)
 {
 	const char *conflict = NULL;
-	if (options->rate > 0 && options->frames == 0)
+	if (options->rate > 0 && !options->is_sequence)
 		conflict = "--fps needs --frames";
 	else if (options->visibility_of != SM_NONE && options->scene.samples > 1)
 		conflict = "--visibility has one sample a pixel: --samples 4 does not go with it";
-	else if (options->frames > 0 && strcmp(options->output, "-") == 0)
+	else if (options->is_sequence && strcmp(options->output, "-") == 0)
 		conflict = "--frames writes several files: -o - does not go with it";
 	return conflict == NULL || options_error(error, &render_command, "%s", conflict);
 }
@@ -144,6 +149,8 @@ static bool read_options(
 {
 	*options = (struct render_options){
 		.common = options_defaults(),
+		.first = 1,
+		.last = 1,
 		.rate_divisor = 1,
 		.visibility_of = SM_NONE,
 	};
@@ -182,7 +189,7 @@ static bool is_same_file(const char *a, const char *b)
 static bool output_path(
 	const struct render_options *options, uint32_t number, char *path, struct sm_error *error)
 {
-	bool fits = options->frames > 0
+	bool fits = options->is_sequence
 			    ? sequence_path(options->output, number, path, PATH_MAX)
 			    : snprintf(path, PATH_MAX, "%s", options->output) < PATH_MAX;
 	return fits || error_set(error, SM_ERROR_INPUT, "-o: the name is too long");
@@ -192,7 +199,7 @@ static bool output_path(
 static bool check_output(const struct render_options *options, struct sm_error *error)
 {
 	char path[PATH_MAX];
-	if (!output_path(options, 1, path, error))
+	if (!output_path(options, options->first, path, error))
 		return false;
 	if (is_same_file(path, options->scene.scene))
 		return error_set(
@@ -302,7 +309,7 @@ static bool render_frame(struct render *render, const struct render_options *opt
 	char path[PATH_MAX];
 	if (!output_path(options, number, path, error) ||
 		!set_time(&render->stage, options, number, error) ||
-		!draw_frame(render, options, number == 1, error) ||
+		!draw_frame(render, options, number == options->first, error) ||
 		!write_frame(render, options, path, error))
 		return false;
 	stopwatch_lap(&render->stopwatch, "write PNG");
@@ -312,13 +319,13 @@ static bool render_frame(struct render *render, const struct render_options *opt
 static bool render_frames(
 	struct render *render, const struct render_options *options, struct sm_error *error)
 {
-	uint32_t count = options->frames > 0 ? options->frames : 1;
 	struct progress progress;
 	bool rendered = true;
-	progress_start(&progress, count, options->common.verbosity < 0);
-	for (uint32_t number = 1; number <= count && rendered; number++) {
+	progress_start(
+		&progress, options->last - options->first + 1, options->common.verbosity < 0);
+	for (uint32_t number = options->first; number <= options->last && rendered; number++) {
 		rendered = render_frame(render, options, number, error);
-		progress_update(&progress, number);
+		progress_update(&progress, number - options->first + 1);
 	}
 	progress_finish(&progress);
 	return rendered;

@@ -56,6 +56,7 @@ static const struct {
 	{2, "--visibility=7: builtin:cylinder has 1 light", {"render", CYLINDER, "--visibility=7"}},
 	{2, "--frames x: ", {"render", CYLINDER, "--frames", "x"}},
 	{2, "--frames 0: ", {"render", CYLINDER, "--frames", "0"}},
+	{2, "--frames 5:3: ", {"render", CYLINDER, "--frames", "5:3"}},
 	{2, "--fps 0: ", {"render", CYLINDER, "--frames", "2", "--fps", "0"}},
 	{2, "--fps 1001: ", {"render", CYLINDER, "--frames", "2", "--fps", "1001"}},
 	{2, "--fps 29.97: ", {"render", CYLINDER, "--frames", "2", "--fps", "29.97"}},

@@ -149,20 +149,6 @@ static void test_sequences_are_numbered(void **state)
 	assert_int_equal(count_entries(""), 5);
 }
 
-static bool is_same(const char *a, const char *b)
-{
-	FILE *files[] = {fopen(a, "rb"), fopen(b, "rb")};
-	assert_true(files[0] != NULL && files[1] != NULL);
-	int bytes[2];
-	do
-		for (int i = 0; i < 2; i++)
-			bytes[i] = fgetc(files[i]);
-	while (bytes[0] == bytes[1] && bytes[0] != EOF);
-	fclose(files[0]);
-	fclose(files[1]);
-	return bytes[0] == bytes[1];
-}
-
 /* At the default of 25 frames a second, 3 are a turn, each of which starts at rest. */
 static void test_scenes_move_from_where_they_rest(void **state)
 {
@@ -172,13 +158,13 @@ static void test_scenes_move_from_where_they_rest(void **state)
 	for (size_t i = 0; i < sizeof(parts) / sizeof(parts[0]); i++) {
 		assert_success(RUN("render", CYLINDER, "--size", "64x64", "--set", parts[i],
 			"--set", "motion.period=.12", "-o", "first.png"));
-		assert_true(is_same("rest.png", "first.png"));
+		assert_true(program_same_files("rest.png", "first.png"));
 		assert_success(RUN("render", CYLINDER, "--size", "64x64", "--set", parts[i],
 			"--set", "motion.period=.12", "--frames", "4", "-o", "f%d.png"));
-		assert_true(is_same("rest.png", "f1.png"));
-		assert_false(is_same("f1.png", "f2.png"));
-		assert_false(is_same("f2.png", "f3.png"));
-		assert_true(is_same("f1.png", "f4.png"));
+		assert_true(program_same_files("rest.png", "f1.png"));
+		assert_false(program_same_files("f1.png", "f2.png"));
+		assert_false(program_same_files("f2.png", "f3.png"));
+		assert_true(program_same_files("f1.png", "f4.png"));
 	}
 }
 
@@ -190,8 +176,8 @@ static void test_the_rate_of_frames_is_a_ratio(void **state)
 		"--frames", "2", "--fps", "4/1001", "-o", "r%d.png"));
 	assert_success(RUN("render", CYLINDER, "--size", "16x16", "--set", "motion.period=4",
 		"--frames", "2", "--fps", "1", "-o", "s%d.png"));
-	assert_true(is_same("r2.png", "s2.png"));
-	assert_false(is_same("r1.png", "r2.png"));
+	assert_true(program_same_files("r2.png", "s2.png"));
+	assert_false(program_same_files("r1.png", "r2.png"));
 }
 
 static void test_files_get_the_permissions_of_the_umask(void **state)

@@ -185,3 +185,17 @@ void write_text(const char *path, const char *text)
 	fputs(text, file);
 	fclose(file);
 }
+
+bool program_same_files(const char *a, const char *b)
+{
+	FILE *files[] = {fopen(a, "rb"), fopen(b, "rb")};
+	assert_true(files[0] != NULL && files[1] != NULL);
+	int bytes[2];
+	do
+		for (int i = 0; i < 2; i++)
+			bytes[i] = fgetc(files[i]);
+	while (bytes[0] == bytes[1] && bytes[0] != EOF);
+	fclose(files[0]);
+	fclose(files[1]);
+	return bytes[0] == bytes[1];
+}

@@ -55,4 +55,7 @@ size_t count_entries(const char *prefix);
 
 void write_text(const char *path, const char *text);
 
+/** Whether two files, which are there, hold the same bytes. */
+bool program_same_files(const char *a, const char *b);
+
 #endif

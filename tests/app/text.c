@@ -76,6 +76,40 @@ static void test_reals(void **state)
 	}
 }
 
+static void test_ranges(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *text;
+		bool valid;
+		uint32_t first, last;
+	} cases[] = {
+		{"1", true, 1, 1},
+		{"12", true, 1, 12},
+		{"3:5", true, 3, 5},
+		{"12:12", true, 12, 12},
+		{"0", false, 0, 0},
+		{"13", false, 0, 0},
+		{"0:5", false, 0, 0},
+		{"5:3", false, 0, 0},
+		{"5:13", false, 0, 0},
+		{"13:13", false, 0, 0},
+		{":5", false, 0, 0},
+		{"5:", false, 0, 0},
+		{"1:2:3", false, 0, 0},
+		{"-1:2", false, 0, 0},
+		{"1: 2", false, 0, 0},
+		{"", false, 0, 0},
+	};
+	for (size_t i = 0; i < COUNT(cases); i++) {
+		uint32_t first, last;
+		bool valid = options_range(cases[i].text, 12, &first, &last);
+		if (valid != cases[i].valid ||
+			(valid && (first != cases[i].first || last != cases[i].last)))
+			fail_msg("\"%s\"", cases[i].text);
+	}
+}
+
 static void test_rates(void **state)
 {
 	(void)state;
@@ -231,6 +265,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_numbers),
 		cmocka_unit_test(test_reals),
+		cmocka_unit_test(test_ranges),
 		cmocka_unit_test(test_rates),
 		cmocka_unit_test(test_sizes),
 		cmocka_unit_test(test_frame_names),
