@@ -127,14 +127,15 @@ bool actor_place(
 void actor_grow_box(struct actor *actor, bool casters_only, float box[2][3])
 {
 	enum { POSES = 16 };
-	const struct clip *clip = actor->clip;
+	double duration = actor->clip != NULL ? actor->clip->duration : 0;
 	struct model_placement placement;
-	int count = clip != NULL && clip->duration > 0 ? POSES : 1;
 	placement_at(actor, 0, &placement);
-	for (int i = 0; i < count; i++) {
+	for (int i = 0; i < (duration > 0 ? POSES : 1); i++) {
+		/* From its start to its very end, which is where it starts again. */
+		double time = fmin(duration * i / (POSES - 1), nextafter(duration, 0));
 		if (has_rig(actor))
-			pose_find(&actor->pose, &actor->model->rig, actor->model->meshes, clip,
-				i > 0 ? clip->duration * i / POSES : 0);
+			pose_find(&actor->pose, &actor->model->rig, actor->model->meshes,
+				actor->clip, time);
 		model_grow_box(actor->model, has_rig(actor) ? &actor->pose : NULL, &placement,
 			casters_only, box);
 	}

@@ -366,6 +366,70 @@ static void a_light_goes_round_its_target(void **state)
 	stage_finish(&stage);
 }
 
+static void check_place(const struct stage *stage, size_t object, const float expected[16])
+{
+	const struct object *placed = &stage->scene->objects[object];
+	for (int i = 0; i < 16; i++)
+		assert_float_equal(placed->transform[i / 4][i % 4], expected[i], 1e-5);
+}
+
+/* A cube that stands at (3, 0, 0), turned to the left by 90 degrees about y; behind the ground. */
+static void objects_spin_travel_and_orbit(void **state)
+{
+	static const struct {
+		const char *motion;
+		double seconds;
+		float place[16];
+	} cases[] = {
+		{"spin = 0 30 0", 3, {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 3, 0, 0, 1}},
+		{"spin = 0 -90 0", 401, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 0, 1}},
+		{"travel = 0 2 0\ntravel-time = 8", 2,
+			{0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 3, 1, 0, 1}},
+		{"orbit = 4", 1, {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, -3, 1}},
+		{"orbit = -4\ncenter = 2 0 1", 1, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 2, 1}},
+		{"orbit = 4\ntravel = 2 0 0", 1,
+			{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, -4, 1}},
+	};
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(*cases); i++) {
+		char text[300];
+		struct stage stage;
+		snprintf(text, sizeof(text),
+			"[object a]\nmodel = builtin:cube\nposition = 3 0 0\n"
+			"rotation = 0 90 0\n%s\n",
+			cases[i].motion);
+		load(&stage, folder_write_text("motion.ini", text), NULL);
+		struct object rest = stage.scene->objects[1];
+		assert_true(stage_moves(&stage));
+		assert_true(stage_set_time(&stage, cases[i].seconds, NULL));
+		check_place(&stage, 1, cases[i].place);
+		assert_true(stage_set_time(&stage, 0, NULL));
+		assert_memory_equal(
+			stage.scene->objects[1].transform, rest.transform, sizeof(rest.transform));
+		stage_finish(&stage);
+	}
+}
+
+static void cameras_and_lights_have_paths_of_their_own(void **state)
+{
+	struct stage stage;
+	(void)state;
+	load(&stage,
+		folder_write_text("paths.ini",
+			"[object a]\nmodel = builtin:cube\n[camera]\neye = 0 1 5\n"
+			"target = 0 0 0\norbit = 4\n[light still]\nposition = 1 4 0\n"
+			"[light a]\nposition = 0 3 1\ntarget = 0 0 0\ntravel = 2 0 0\n"
+			"[light b]\nposition = 0 3 1\ntarget = 0 0 0\norbit = -4\n"),
+		NULL);
+	assert_int_equal(stage.motion.light_count, 2);
+	assert_true(stage_set_time(&stage, 1, NULL));
+	check_vector(stage.camera.eye, 5, 1, 0);
+	check_vector(stage.scene->lights[0].desc.position, 1, 4, 0);
+	check_vector(stage.scene->lights[1].desc.position, 1, 3, 1);
+	check_vector(stage.scene->lights[2].desc.position, -1, 3, 0);
+	stage_finish(&stage);
+}
+
 /* A unit in the last place of 1e6 is 1/16. */
 static void a_light_that_rounding_puts_on_its_target_is_an_error(void **state)
 {
@@ -400,6 +464,8 @@ static void scenes_that_make_no_sense_are_refused(void **state)
 			": [camera] near is not less than far"},
 		{"[object a]\nmodel = builtin:cube\n[light a]\n[motion]\nlight = a\nperiod = 4\n",
 			": [motion] light is given, but turns is camera"},
+		{"[object a]\nmodel = builtin:cube\n[camera]\norbit = 3\n[motion]\nperiod = 4\n",
+			": [motion] turns what has an orbit of its own"},
 		{"[object a]\nmodel = builtin:cube\n[light sun]\n[light lamp]\n"
 		 "[motion]\nturns = light\nlight = lmap\n",
 			": [motion] no light is called \"lmap\"; known: sun, lamp"},
@@ -452,6 +518,8 @@ int main(void)
 		cmocka_unit_test(scenes_stand_still_by_default),
 		cmocka_unit_test(the_camera_goes_round_its_target),
 		cmocka_unit_test(a_light_goes_round_its_target),
+		cmocka_unit_test(objects_spin_travel_and_orbit),
+		cmocka_unit_test(cameras_and_lights_have_paths_of_their_own),
 		cmocka_unit_test(a_light_that_rounding_puts_on_its_target_is_an_error),
 		cmocka_unit_test(scenes_that_make_no_sense_are_refused),
 		cmocka_unit_test(the_configs_load),
