@@ -2,6 +2,7 @@
 #include "folder.h"
 #include "load/stage.h"
 #include <ftw.h>
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -20,6 +21,31 @@ static double seconds(void)
 	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+static bool is_one_line(const struct sm_error *error)
+{
+	return error->status != SM_OK && strpbrk(error->text, "\n\r") == NULL;
+}
+
+/* Whatever an animation holds, it shows finite places, or ends in one line. */
+static void play(const char *path, struct stage *stage)
+{
+	static const double times[] = {0.3, 1.7, 1e6, -2, 0};
+	for (size_t i = 0; i < sizeof(times) / sizeof(*times); i++) {
+		struct sm_error error = {0};
+		float min[3], max[3];
+		if (!stage_set_time(stage, times[i], &error) && !is_one_line(&error))
+			fail_msg("%s at %g s: not a clear error: %s", path, times[i], error.text);
+		assert_true(sm_scene_get_bounds(stage->scene, false, min, max));
+		for (int axis = 0; axis < 3; axis++)
+			if (!(max[axis] - min[axis] < INFINITY))
+				fail_msg("%s at %g s: no bounds", path, times[i]);
+	}
+}
+
+static struct {
+	size_t files, stages, moving;
+} walked;
+
 /* Whether a file makes a stage. It must make one or give one clear line, in 10 s. */
 static bool try_file(const char *path)
 {
@@ -32,16 +58,15 @@ static bool try_file(const char *path)
 		fail_msg("%s took %.1f s", path, spent);
 	if (ok && (sm_scene_object_count(stage.scene) == 0 || stage.output.width == 0))
 		fail_msg("%s: an empty stage", path);
-	if (!ok && (strncmp(error.text, path, strlen(path)) != 0 ||
-			   strpbrk(error.text, "\n\r") != NULL || error.status == SM_OK))
+	if (!ok && (strncmp(error.text, path, strlen(path)) != 0 || !is_one_line(&error)))
 		fail_msg("%s: not a clear error: %s", path, error.text);
+	if (ok) {
+		walked.moving += stage_moves(&stage);
+		play(path, &stage);
+	}
 	stage_finish(&stage);
 	return ok;
 }
-
-static struct {
-	size_t files, stages;
-} walked;
 
 static int try_entry(const char *path, const struct stat *status, int type)
 {
@@ -61,8 +86,8 @@ static void every_packaged_file_ends_well(void **state)
 	for (size_t i = 0; i < sizeof(folders) / sizeof(*folders); i++) {
 		memset(&walked, 0, sizeof(walked));
 		ftw(folders[i], try_entry, 8);
-		print_message(
-			"%s: %zu files, %zu stages\n", folders[i], walked.files, walked.stages);
+		print_message("%s: %zu files, %zu stages, of which %zu move\n", folders[i],
+			walked.files, walked.stages, walked.moving);
 		/* Textures and notes lie among the models. */
 		if (walked.files > 0)
 			assert_true(walked.stages > walked.files / 3);
