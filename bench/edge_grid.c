@@ -4,13 +4,12 @@
 #include "base/processor_time.h"
 #include "bench/statistics.h"
 #include "load/stage.h"
+#include "technique/gather.h"
 #include <getopt.h>
 #include <stdio.h>
 
 #define ROUNDS 25
 #define MAP_SIZE 512
-/* As the technique "gather" has them. */
-#define VERTICES_MAX (96 * 1024)
 
 /* What one search takes, and what it finds. */
 struct measurement {
@@ -36,7 +35,8 @@ static bool find_chains(struct edge_chains *chains, const struct sm_scene *scene
 static bool measure(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, uint32_t tiles, struct measurement *found)
 {
-	const struct edge_grid_options options = {tiles, MAP_SIZE, 8, VERTICES_MAX};
+	const struct edge_grid_options options = {
+		tiles, MAP_SIZE, 8, {GATHER_RUNS_MAX, GATHER_VERTICES_MAX}};
 	double chains[ROUNDS], all[ROUNDS];
 	for (int round = 0; round < ROUNDS; round++) {
 		double start = processor_ms();
@@ -69,10 +69,10 @@ static bool run(const char *source, float radius, uint32_t tiles)
 	light_frame_fit(&frame, &light, stage.scene);
 	bool done = measure(&grid, stage.scene, &frame, tiles, &found);
 	if (done)
-		printf("%-24s %4.2f %7zu %5u %8zu %8zu %6.1f %8.3f %8.3f %7.0f\n", source,
-			(double)radius, grid.edge_count, grid.tiles, grid.vertex_count,
-			grid.dropped, (double)grid.mean_list, found.chains, found.all,
-			(double)edge_grid_bytes(&grid) / 1024.0);
+		printf("%-24s %4.2f %7zu %5u %8zu %8zu %8zu %6.1f %8.3f %8.3f %7.0f\n", source,
+			(double)radius, grid.edge_count, grid.tiles, grid.run_count,
+			grid.vertex_count, grid.dropped, (double)grid.mean_list, found.chains,
+			found.all, (double)edge_grid_bytes(&grid) / 1024.0);
 	edge_grid_finish(&grid);
 	stage_finish(&stage);
 	return done;
@@ -93,8 +93,8 @@ int main(int argc, char **argv)
 	}
 	size_t given = (size_t)(argc - optind);
 	size_t count = given > 0 ? given : sizeof(defaults) / sizeof(defaults[0]);
-	printf("%-24s %4s %7s %5s %8s %8s %6s %8s %8s %7s\n", "scene", "R/d", "edges", "tiles",
-		"vertices", "dropped", "list", "chains", "all, ms", "KiB");
+	printf("%-24s %4s %7s %5s %8s %8s %8s %6s %8s %8s %7s\n", "scene", "R/d", "edges", "tiles",
+		"runs", "vertices", "dropped", "list", "chains", "all, ms", "KiB");
 	for (size_t i = 0; i < count; i++) {
 		const char *source = given > 0 ? argv[(size_t)optind + i] : defaults[i];
 		for (int k = 0; k < 4; k++)

@@ -2,7 +2,8 @@
 // sheets before the disc's centre, and a term for each edge before the disc. Everything is in window
 // coordinates of the light's screen, on which edges are straight, also in depth.
 uniform usampler2D edge_tiles; // struct edge_tile of scene/edge_grid.h
-uniform sampler2D edge_map;    // struct chain_vertex, EDGE_ROW a row
+uniform usampler2D edge_runs;  // struct edge_run of scene/edge_lists.h, 1024 a row
+uniform sampler2D edge_map;    // struct edge_vertex, as many a row
 uniform usampler2D front_layer; // see gather_layer.frag
 uniform usampler2D second_layer;
 uniform usampler2D third_layer;
@@ -16,7 +17,9 @@ uniform bool casts;        // the receiver, as well
 uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
 
 const int LAYERS = 3;
-const int EDGE_ROW_BITS = 10;
+const int TABLE_ROW_BITS = 10;
+const float BOX_STEPS = 65536.0;
+const uvec2 BOX_SHIFT = uvec2(0u, 16u);
 // Sheets that the counters have room for; behind more nothing is lit.
 const int WINDING_MAX = 15;
 // So many leave nothing to edges.
@@ -263,8 +266,32 @@ bool is_narrow(edge edge, receiver r)
 }
 #endif
 
-// Walks along the tile's chains. An edge between the origin and the receiver is one that a sheet
-// starts or ends at.
+// Widens boxes, in steps, for what floats round.
+const float BOX_SLACK = 0.25;
+
+// How far around the receiver, in steps of boxes, the way from the origin or the disc's rim may lie:
+// with |E v| >= shrink |v|, what is before the disc by s <= d + |tilt| |v| is not farther away than
+// per_depth d + margin.
+struct reach {
+	vec2 at;
+	float per_depth, margin, least;
+};
+
+reach reach_of(receiver r, origin from)
+{
+	float share = r.shrink - disc_scale * length(r.tilt);
+	float least = length(r.s.xy - from.at) * BOX_STEPS, margin = 0.0;
+#ifdef POINTS
+	margin = 0.75 * r.spacing * BOX_STEPS / max(share, 1e-6);
+#endif
+	// So near to a spot everything is before the disc.
+	bool all = share < 1e-3;
+	return reach(r.s.xy * BOX_STEPS, all ? 0.0 : disc_scale * BOX_STEPS / share,
+		margin + BOX_SLACK, all ? 2.0 * BOX_STEPS : least + BOX_SLACK);
+}
+
+// Walks along the tile's runs. An edge between the origin and the receiver is one that a sheet starts
+// or ends at.
 sums walk(receiver r, origin from, int first, int end)
 {
 	sums sum = sums(0, 0, 0.0, counters(uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u)), 0);
@@ -272,46 +299,65 @@ sums walk(receiver r, origin from, int first, int end)
 	edge edge;
 	float across_b = 0.0, above_b = 0.0;
 	float most = disc_scale * disc_scale / (r.shrink * r.shrink);
+	float deepest = from.depth + from.own_depth;
+	reach reach = reach_of(r, from);
 	edge.b = vec2(0.0);
 	edge.before_b = 0.0;
-	for (int i = first; i < end;) {
-		bool hit = false;
-		// To the next edge that may be before the disc: where some lanes of a processor
-		// still look for theirs the others wait here, not at each edge.
-		for (; i < end && !hit; i++) {
-			vec4 v = texelFetch(edge_map, ivec2(i & 1023, i >> EDGE_ROW_BITS), 0);
-			float across_a = across_b;
-			edge.a = edge.b;
-			edge.before_a = edge.before_b;
-			edge.b = v.xy - r.s.xy;
-			edge.before_b = r.s.z - v.z - dot(r.tilt, edge.b);
-			float above_a = above_b;
-			above_b = from.depth - v.z + dot(from.slope, edge.b);
-			across_b = cross_of(path, edge.b);
-			edge.side = cross_of(edge.a, edge.b);
-			if (v.w > 0.0) {
-				end = from.depth > v.w - 1.0 ? end : i;
-				continue;
-			}
-			float past = abs(across_a - across_b);
-			float depth = above_b * across_a - above_a * across_b;
-			depth = across_a < across_b ? -depth : depth;
-			float side_origin = edge.side - across_a + across_b;
-			int turn = int(edge.side >= 0.0) - int(side_origin >= 0.0);
-			turn = (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
-			sum.winding += depth > 0.0 ? turn : 0;
-			sum.own += depth <= 0.0 && depth >= -from.own_depth * past ? turn : 0;
-#ifdef POINTS
-			narrow_penumbra = narrow_penumbra || is_narrow(edge, r);
-#endif
-			vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
-			hit = max(edge.before_a, edge.before_b) > 0.0 &&
-				edge.side * edge.side < most * dot(along, along) &&
-				!leads_away(edge.a, edge.before_a, along, most) &&
-				!leads_away(edge.b, edge.before_b, -along, most);
+	for (int run = first; run < end;) {
+		bool near = false;
+		int i = 0, begin = 0, stop = 0;
+		for (; run < end && !near; run++) {
+			uvec4 found = texelFetch(
+				edge_runs, ivec2(run & 1023, run >> TABLE_ROW_BITS), 0);
+			float start = uintBitsToFloat(found.y);
+			vec2 low = vec2(ivec2(found.zz >> BOX_SHIFT & 0xffffu));
+			vec2 high = vec2(ivec2(found.ww >> BOX_SHIFT & 0xffffu)) + 1.0;
+			vec2 off = max(max(low - reach.at, reach.at - high), 0.0);
+			float within = (r.s.z - start) * reach.per_depth + reach.margin;
+			within = max(within, reach.least);
+			end = deepest > start ? end : run;
+			near = deepest > start && dot(off, off) <= within * within;
+			begin = int(found.x & 0xffffffu);
+			i = begin;
+			stop = near ? i + int(found.x >> 24) + 1 : i;
 		}
-		if (hit)
-			add_edge(sum, edge, r);
+		while (i < stop) {
+			bool hit = false;
+			// To the next edge that may be before the disc: where some lanes of a processor
+			// still look for theirs the others wait here, not at each edge.
+			for (; i < stop && !hit; i++) {
+				vec4 v = texelFetch(edge_map, ivec2(i & 1023, i >> TABLE_ROW_BITS), 0);
+				float across_a = across_b;
+				edge.a = edge.b;
+				edge.before_a = edge.before_b;
+				edge.b = v.xy - r.s.xy;
+				edge.before_b = r.s.z - v.z - dot(r.tilt, edge.b);
+				float above_a = above_b;
+				above_b = from.depth - v.z + dot(from.slope, edge.b);
+				across_b = cross_of(path, edge.b);
+				edge.side = cross_of(edge.a, edge.b);
+				if (i == begin)
+					continue;
+				float past = abs(across_a - across_b);
+				float depth = above_b * across_a - above_a * across_b;
+				depth = across_a < across_b ? -depth : depth;
+				float side_origin = edge.side - across_a + across_b;
+				int turn = int(edge.side >= 0.0) - int(side_origin >= 0.0);
+				turn = (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
+				sum.winding += depth > 0.0 ? turn : 0;
+				sum.own += depth <= 0.0 && depth >= -from.own_depth * past ? turn : 0;
+#ifdef POINTS
+				narrow_penumbra = narrow_penumbra || is_narrow(edge, r);
+#endif
+				vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
+				hit = max(edge.before_a, edge.before_b) > 0.0 &&
+					edge.side * edge.side < most * dot(along, along) &&
+					!leads_away(edge.a, edge.before_a, along, most) &&
+					!leads_away(edge.b, edge.before_b, -along, most);
+			}
+			if (hit)
+				add_edge(sum, edge, r);
+		}
 	}
 	return sum;
 }
@@ -329,7 +375,8 @@ float gathered_visibility(vec3 p)
 	uvec4 tile = texelFetch(edge_tiles, ivec2(tile_at), 0);
 	origin from = origin_of(r, tile, tile_at);
 	int first = int(tile.x), edges = int(tile.y & 0xffffffu);
-	bool any_before = inside && light_arrives && from.depth > uintBitsToFloat(tile.z);
+	bool any_before = inside && light_arrives && 
+		from.depth + from.own_depth > uintBitsToFloat(tile.z);
 	sums sum = walk(r, from, first, any_before ? first + edges : first);
 	if (!inside)
 		return 1.0;

@@ -99,6 +99,7 @@ static void set_samplers(struct gl *gl, const struct program *program)
 	gl->Uniform1i(program->uniform.visibility_map, UNIT_VISIBILITY);
 	gl->Uniform1i(program->uniform.visibility_depth, UNIT_VISIBILITY_DEPTH);
 	gl->Uniform1i(program->uniform.edge_tiles, UNIT_EDGE_TILES);
+	gl->Uniform1i(program->uniform.edge_runs, UNIT_EDGE_RUNS);
 	gl->Uniform1i(program->uniform.edge_map, UNIT_EDGES);
 	gl->Uniform1i(program->uniform.front_layer, UNIT_FRONT_LAYER);
 	gl->Uniform1i(program->uniform.second_layer, UNIT_SECOND_LAYER);

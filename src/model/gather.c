@@ -46,7 +46,7 @@ static bool init(void *state, const struct model_light *light, struct sm_error *
 		.tiles = GATHER_TILES,
 		.map_size = (uint32_t)gather->light.size,
 		.subpixel_bits = light->snap_bits > 0 ? (uint32_t)light->snap_bits : 8,
-		.vertices_max = GATHER_VERTICES_MAX,
+		.room = {GATHER_RUNS_MAX, GATHER_VERTICES_MAX},
 	};
 	gather->snap = ldexp(0.5 / gather->light.size, -(int)options.subpixel_bits);
 	gather->masks = array_alloc(DISC_MASK_ANGLES * DISC_MASK_DISTANCES, sizeof(*gather->masks));
@@ -254,7 +254,7 @@ struct end {
 	double before; /* depth from the plane parallel to the disc through the receiver */
 };
 
-static struct end end_of(const struct eye *eye, const struct chain_vertex *vertex)
+static struct end end_of(const struct eye *eye, const struct edge_vertex *vertex)
 {
 	const struct receiver *receiver = eye->receiver;
 	struct end end = {
@@ -362,23 +362,23 @@ static void add_chord(struct sums *sums, const struct gather *gather, const stru
 			sums->sheets[i] = (int8_t)(sums->sheets[i] - (int)sign);
 }
 
+/* Boxes of runs and their order, which let one leave edges out that have no part in it, are not
+ * looked at. */
 static void walk(struct sums *sums, const struct gather *gather, const struct eye *eye,
 	const struct origin *origin, const struct edge_tile *tile)
 {
-	const struct chain_vertex *vertices = gather->grid.vertices + tile->first;
-	struct end b = {.before = 0.0};
 	for (uint32_t i = 0; i < edge_tile_count(tile); i++) {
-		struct end a = b;
-		struct chord chord;
-		b = end_of(eye, &vertices[i]);
-		if (!origin->of_all && vertices[i].start > 0.0f &&
-			eye->receiver->depth <= vertices[i].start - 1.0f)
-			return;
-		if (vertices[i].start > 0.0f)
-			continue;
-		cross_edge(sums, eye, origin, &a, &b);
-		if (find_chord(&chord, eye, &a, &b))
-			add_chord(sums, gather, &chord);
+		const struct edge_run *run = &gather->grid.runs[tile->first + i];
+		const struct edge_vertex *vertices = &gather->grid.vertices[edge_run_first(run)];
+		struct end a = end_of(eye, &vertices[0]);
+		for (uint32_t k = 1; k <= edge_run_count(run); k++) {
+			struct chord chord;
+			struct end b = end_of(eye, &vertices[k]);
+			cross_edge(sums, eye, origin, &a, &b);
+			if (find_chord(&chord, eye, &a, &b))
+				add_chord(sums, gather, &chord);
+			a = b;
+		}
 	}
 }
 

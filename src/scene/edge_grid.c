@@ -53,7 +53,7 @@ static bool add_objects(struct edge_grid *grid, const struct sm_scene *scene,
 
 /* With as many tiles as leave the lists short enough. */
 static bool make_lists(struct edge_grid *grid, const struct light_frame *frame,
-	const struct edge_grid_options *options, float step)
+	const struct edge_grid_options *options, uint32_t screen)
 {
 	enum edge_lists_result result = EDGE_LISTS_FULL;
 	while (result == EDGE_LISTS_FULL) {
@@ -61,8 +61,8 @@ static bool make_lists(struct edge_grid *grid, const struct light_frame *frame,
 		if (!edge_cover_init(&grid->cover, &grid->depths, frame, options->map_size,
 			    options->subpixel_bits))
 			return false;
-		result = edge_lists_make(&grid->lists, &grid->chains, &grid->cover, step,
-			options->vertices_max, fewest);
+		result = edge_lists_make(
+			&grid->lists, &grid->chains, &grid->cover, screen, options->room, fewest);
 		if (result == EDGE_LISTS_FULL)
 			tile_depths_halve(&grid->depths);
 	}
@@ -81,7 +81,7 @@ static size_t fill_tiles(struct edge_grid *grid)
 		grid->of[t] = (struct edge_tile){
 			.first = first,
 			.count_winding = count | (uint32_t)winding << 24,
-			.nearest = count == 0 ? 2.0f : lists->vertices[first].start - 1.0f,
+			.nearest = count == 0 ? 2.0f : lists->runs[first].start,
 			.farthest = grid->depths.farthest[t],
 		};
 		filled += count != 0;
@@ -93,11 +93,12 @@ bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct edge_grid_options *options)
 {
 	assert(options->tiles >= TILES_MIN && options->tiles <= EDGE_GRID_TILES_MAX &&
-		(options->tiles & (options->tiles - 1)) == 0 && options->vertices_max < 1 << 24);
+		(options->tiles & (options->tiles - 1)) == 0 && options->room.runs < 1 << 24 &&
+		options->room.vertices < 1 << 24);
 	uint32_t screen = options->map_size << options->subpixel_bits;
 	if (!add_objects(grid, scene, frame, options))
 		return false;
-	if (!make_lists(grid, frame, options, 1.0f / (float)screen))
+	if (!make_lists(grid, frame, options, screen))
 		return false;
 	grid->tiles = grid->depths.tiles;
 	size_t tiles = (size_t)grid->tiles * grid->tiles;
@@ -108,7 +109,9 @@ bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 	edge_winding_find(&grid->chains, screen, grid->tiles, grid->winding);
 	size_t filled = fill_tiles(grid);
 	grid->vertices = grid->lists.vertices;
+	grid->runs = grid->lists.runs;
 	grid->vertex_count = grid->lists.vertex_count;
+	grid->run_count = grid->lists.run_count;
 	grid->edge_count = grid->chains.edge_count;
 	grid->dropped = grid->lists.dropped;
 	grid->mean_list = filled == 0 ? 0.0f : (float)grid->lists.edge_count / (float)filled;

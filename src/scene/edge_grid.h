@@ -6,8 +6,8 @@
 
 /** What receivers in a tile of the light's screen need; RGBA32UI. */
 struct edge_tile {
-	uint32_t first;         /* of its vertices */
-	uint32_t count_winding; /* vertices (24 bits) + (128 + winding number at the tile's centre,
+	uint32_t first;         /* of its runs */
+	uint32_t count_winding; /* runs (24 bits) + (128 + winding number at the tile's centre,
 				   behind all casters) << 24 */
 	float nearest;          /* depth that none of its edges is before; 2: no edges */
 	float farthest;         /* depth that no caster over the tile and its margin is behind; 0:
@@ -26,11 +26,11 @@ static inline int edge_tile_winding(const struct edge_tile *tile)
 }
 
 struct edge_grid_options {
-	uint32_t tiles;         /* most a side, 32, 64 or 128; half or a quarter of them where all
-				   lists would have more than vertices_max */
+	uint32_t tiles;         /* most a side, 32, 64 or 128; half or a quarter of them where
+				   lists would not fit */
 	uint32_t map_size;      /* texels a side of the layered map: margin of the lists */
 	uint32_t subpixel_bits; /* of the rasteriser: the raster grid */
-	size_t vertices_max;    /* of all lists, below 2^24; beyond it the nearest edges win */
+	struct edge_room room;  /* of all lists; beyond it the nearest edges win */
 };
 
 /**
@@ -43,10 +43,11 @@ struct edge_grid_options {
 struct edge_grid {
 	uint32_t tiles;       /* a side */
 	struct edge_tile *of; /* [tiles * tiles], row after row from the lower left; owned */
-	const struct chain_vertex *vertices; /* [vertex_count], of lists */
-	size_t vertex_count;
+	const struct edge_vertex *vertices; /* [vertex_count], of lists */
+	const struct edge_run *runs;        /* [run_count], of lists */
+	size_t vertex_count, run_count;
 	size_t edge_count; /* of the sheets' boundaries */
-	size_t dropped;    /* entries of lists that vertices_max left no room for */
+	size_t dropped;    /* entries of lists that there was no room for */
 	float mean_list;   /* edges in a list that has any */
 	/* Working memory; owned */
 	struct edge_chains chains;

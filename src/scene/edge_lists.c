@@ -11,21 +11,14 @@
 /* A list that is being made. */
 struct list_end {
 	uint32_t last_edge; /* 1 + the one that was listed last */
-	uint32_t place;     /* of the next vertex; while they are counted, from 0 */
-	uint32_t run;       /* place of the last chain's start */
-};
-
-/* A chain within a tile's list. */
-struct chain_run {
-	float start;
-	uint32_t first, count; /* vertices */
+	uint32_t place;     /* of the next run; while they are counted, from 0 */
 };
 
 /* Which edges are listed: those before a step of depth, and of those in it the first ones. */
 struct depth_limit {
 	float nearest, steps_per_depth;
-	int step;    /* DEPTH_STEPS: all */
-	size_t room; /* vertices that edges in this step may take */
+	int step;              /* DEPTH_STEPS: all */
+	struct edge_room room; /* for edges in this step */
 };
 
 static const struct depth_limit no_limit = {.step = DEPTH_STEPS};
@@ -47,9 +40,10 @@ static bool admit(struct depth_limit *limit, const struct chain_point *edge, siz
 	int step = step_of(limit, edge);
 	if (step != limit->step)
 		return step < limit->step;
-	if (2 * entries > limit->room)
+	if (entries > limit->room.runs || limit->room.vertices < 2)
 		return false;
-	limit->room -= 2 * entries;
+	limit->room.runs -= entries;
+	limit->room.vertices -= 2;
 	return true;
 }
 
@@ -66,22 +60,48 @@ static bool reserve(struct edge_lists *lists, size_t tiles, size_t points)
 		       sizeof(*lists->entry_ends));
 }
 
-/* Notes that an edge is listed; returns whether its chain goes on there. */
+/* Notes that an edge is listed; returns whether its run goes on there. Runs end at the same edges
+ * in all tiles, whatever else is listed. */
 static bool continues(struct list_end *end, size_t edge)
 {
-	bool goes_on = edge > 0 && end->last_edge == edge;
+	bool goes_on = edge % EDGE_RUN_MAX != 0 && end->last_edge == edge;
 	end->last_edge = (uint32_t)edge + 1;
 	return goes_on;
 }
 
-/* Finds each edge's tiles, and counts their vertices. Stops where there are too many. */
+/* Counts the runs that an edge begins in the tiles found. */
+static size_t count_runs(struct edge_lists *lists, size_t edge, const uint16_t *found, size_t count)
+{
+	size_t begun = 0;
+	for (size_t k = 0; k < count; k++) {
+		struct list_end *end = &lists->ends[found[k]];
+		uint32_t added = continues(end, edge) ? 0 : 1;
+		end->place += added;
+		begun += added;
+	}
+	return begun;
+}
+
+static bool is_listed(const struct edge_lists *lists, size_t edge)
+{
+	return lists->entry_ends[edge] > (edge > 0 ? lists->entry_ends[edge - 1] : 0);
+}
+
+/* Vertices that an edge adds to those of the edges before it. */
+static uint32_t added_vertices(const struct edge_lists *lists, size_t edge)
+{
+	if (!is_listed(lists, edge))
+		return 0;
+	return edge > 0 && is_listed(lists, edge - 1) ? 1 : 2;
+}
+
+/* Finds each edge's tiles, and counts their runs. Stops where there are too many. */
 static enum edge_lists_result collect(struct edge_lists *lists, const struct edge_chains *chains,
-	struct edge_cover *cover, size_t vertices_max, struct depth_limit limit)
+	struct edge_cover *cover, struct edge_room room, struct depth_limit limit)
 {
 	size_t tiles = (size_t)cover->tiles * cover->tiles;
 	memset(lists->ends, 0, tiles * sizeof(*lists->ends));
-	lists->entry_count = 0;
-	lists->vertex_count = 0;
+	lists->entry_count = lists->run_count = lists->vertex_count = 0;
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *edge = &chains->points[i];
 		if (!edge->ends) {
@@ -92,60 +112,70 @@ static enum edge_lists_result collect(struct edge_lists *lists, const struct edg
 			size_t count = edge_cover_find(cover, edge, edge + 1, found);
 			if (limit.step < DEPTH_STEPS && !admit(&limit, edge, count))
 				count = 0;
-			for (size_t k = 0; k < count; k++) {
-				struct list_end *end = &lists->ends[found[k]];
-				uint32_t added = continues(end, i) ? 1 : 2;
-				end->place += added;
-				lists->vertex_count += added;
-			}
+			lists->run_count += count_runs(lists, i, found, count);
 			lists->entry_count += count;
 		}
 		lists->entry_ends[i] = (uint32_t)lists->entry_count;
-		if (lists->vertex_count > vertices_max)
+		lists->vertex_count += added_vertices(lists, i);
+		if (lists->run_count > room.runs || lists->vertex_count > room.vertices)
 			return EDGE_LISTS_FULL;
 	}
 	return EDGE_LISTS_MADE;
 }
 
-/* Of so many edges one is tried first. */
-#define SAMPLED 16
+/* Of so many stretches of edges one is tried first. */
+#define SAMPLED 8
 
-/* Whether an even sample of the edges says that there will be too many vertices: each has
- * one in each of its tiles, and more where a chain begins. */
+/* Whether an even sample of the edges says that there will be too many runs. */
 static bool looks_full(struct edge_lists *lists, const struct edge_chains *chains,
-	struct edge_cover *cover, size_t vertices_max)
+	struct edge_cover *cover, size_t runs_max)
 {
-	size_t sum = 0;
-	for (size_t i = 0; i + 1 < chains->count; i += SAMPLED) {
+	size_t sum = 0, sampled = 0;
+	memset(lists->ends, 0, (size_t)cover->tiles * cover->tiles * sizeof(*lists->ends));
+	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *edge = &chains->points[i];
+		if (i / EDGE_RUN_MAX % SAMPLED != 0)
+			continue;
+		sampled++;
 		if (!edge->ends)
-			sum += edge_cover_find(cover, edge, edge + 1, lists->entries);
+			sum += count_runs(lists, i, lists->entries,
+				edge_cover_find(cover, edge, edge + 1, lists->entries));
 	}
-	return sum * SAMPLED > vertices_max;
+	return sampled > 0 &&
+	       (double)sum * (double)chains->count > (double)runs_max * (double)sampled;
 }
 
-/* Finds how many vertices each step of depth adds to those before it; counts all entries. */
-static void count_by_depth(struct edge_lists *lists, const struct edge_chains *chains,
-	struct edge_cover *cover, const struct depth_limit *limit, int64_t added[DEPTH_STEPS],
-	size_t *entries)
+/* What the edges of a step of depth add to those before it. */
+struct step_sums {
+	int64_t runs, vertices;
+};
+
+/* Finds what each step adds; returns how many entries there are. */
+static size_t count_by_depth(struct edge_lists *lists, const struct edge_chains *chains,
+	struct edge_cover *cover, const struct depth_limit *limit,
+	struct step_sums added[DEPTH_STEPS])
 {
-	size_t tiles = (size_t)cover->tiles * cover->tiles;
+	size_t tiles = (size_t)cover->tiles * cover->tiles, entries = 0, last = 0;
 	memset(lists->ends, 0, tiles * sizeof(*lists->ends));
 	memset(added, 0, DEPTH_STEPS * sizeof(*added));
-	*entries = 0;
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *edge = &chains->points[i];
 		if (edge->ends)
 			continue;
 		size_t count = edge_cover_find(cover, edge, edge + 1, lists->entries);
 		int step = step_of(limit, edge), before = i > 0 ? step_of(limit, edge - 1) : 0;
+		/* Two edges that follow each other share a vertex, and runs, once both are
+		 * listed. */
 		int both = step > before ? step : before;
-		added[step] += 2 * (int64_t)count;
-		*entries += count;
-		/* Two edges that follow each other share a vertex once both are listed. */
+		added[step].runs += (int64_t)count;
 		for (size_t k = 0; k < count; k++)
-			added[both] -= continues(&lists->ends[lists->entries[k]], i);
+			added[both].runs -= continues(&lists->ends[lists->entries[k]], i);
+		added[step].vertices += count > 0 ? 2 : 0;
+		added[both].vertices -= count > 0 && last > 0 && last == i;
+		last = count > 0 ? i + 1 : 0;
+		entries += count;
 	}
+	return entries;
 }
 
 static void find_depth_range(const struct edge_chains *chains, struct depth_limit *limit)
@@ -165,29 +195,28 @@ static void find_depth_range(const struct edge_chains *chains, struct depth_limi
 
 /* Collects the nearest edges of all, as many as there is room for. */
 static enum edge_lists_result collect_nearest(struct edge_lists *lists,
-	const struct edge_chains *chains, struct edge_cover *cover, size_t vertices_max)
+	const struct edge_chains *chains, struct edge_cover *cover, struct edge_room room)
 {
 	struct depth_limit limit;
-	int64_t added[DEPTH_STEPS], sum = 0;
-	size_t entries;
+	struct step_sums added[DEPTH_STEPS], sum = {0};
 	find_depth_range(chains, &limit);
-	count_by_depth(lists, chains, cover, &limit, added, &entries);
-	limit.step = 0;
-	while (limit.step < DEPTH_STEPS - 1 && sum + added[limit.step] <= (int64_t)vertices_max)
-		sum += added[limit.step++];
-	limit.room = vertices_max - (size_t)sum;
-	enum edge_lists_result result = collect(lists, chains, cover, vertices_max, limit);
+	size_t entries = count_by_depth(lists, chains, cover, &limit, added);
+	for (limit.step = 0; limit.step < DEPTH_STEPS - 1; limit.step++) {
+		const struct step_sums *step = &added[limit.step];
+		if (sum.runs + step->runs > (int64_t)room.runs ||
+			sum.vertices + step->vertices > (int64_t)room.vertices)
+			break;
+		sum.runs += step->runs;
+		sum.vertices += step->vertices;
+	}
+	limit.room.runs = room.runs - (size_t)sum.runs;
+	limit.room.vertices = room.vertices - (size_t)sum.vertices;
+	enum edge_lists_result result = collect(lists, chains, cover, room, limit);
 	lists->dropped = entries - lists->entry_count;
 	return result;
 }
 
-static float start_at(float depth)
-{
-	float start = 1.0f + depth;
-	return start - 1.0f > depth ? nextafterf(start, 0.0f) : start;
-}
-
-/* Turns the tiles' counts of vertices into where their lists begin. */
+/* Turns the tiles' counts of runs into where their lists begin. */
 static void place_lists(struct edge_lists *lists, size_t tiles)
 {
 	uint32_t sum = 0;
@@ -200,61 +229,90 @@ static void place_lists(struct edge_lists *lists, size_t tiles)
 	lists->first[tiles] = sum;
 }
 
-/* An edge of the chains as it is listed. */
-struct listed_edge {
-	struct chain_vertex from, to;
-};
-
-static struct listed_edge listed_edge_of(const struct chain_point *edge, float step)
+/* A coordinate in steps of the raster grid, as boxes have it: never more. */
+static uint16_t box_step(int32_t at, uint32_t screen)
 {
-	return (struct listed_edge){
-		{(float)edge[0].x * step, (float)edge[0].y * step, edge[0].depth,
-			start_at(nearest_of(edge))},
-		{(float)edge[1].x * step, (float)edge[1].y * step, edge[1].depth, 0.0f},
+	int64_t clamped = at < 0 ? 0 : at < (int64_t)screen ? at : (int64_t)screen - 1;
+	return (uint16_t)(clamped * EDGE_BOX_STEPS / screen);
+}
+
+static uint16_t lesser(uint16_t a, uint16_t b)
+{
+	return a < b ? a : b;
+}
+
+static uint16_t greater(uint16_t a, uint16_t b)
+{
+	return a > b ? a : b;
+}
+
+/* An edge as a run of its own. */
+static struct edge_run run_of(const struct chain_point *edge, uint32_t first, uint32_t screen)
+{
+	uint16_t x[2] = {box_step(edge[0].x, screen), box_step(edge[1].x, screen)};
+	uint16_t y[2] = {box_step(edge[0].y, screen), box_step(edge[1].y, screen)};
+	return (struct edge_run){
+		.first_count = first | 1u << 24,
+		.start = nearest_of(edge),
+		.min = {lesser(x[0], x[1]), lesser(y[0], y[1])},
+		.max = {greater(x[0], x[1]), greater(y[0], y[1])},
 	};
 }
 
-static void write_edge(struct chain_vertex *vertices, struct list_end *end,
-	const struct listed_edge *edge, bool goes_on)
+static void extend(struct edge_run *run, const struct edge_run *by)
 {
-	if (!goes_on) {
-		end->run = end->place;
-		vertices[end->place++] = edge->from;
+	run->first_count += 1u << 24;
+	run->start = smaller(run->start, by->start);
+	for (int axis = 0; axis < 2; axis++) {
+		run->min[axis] = lesser(run->min[axis], by->min[axis]);
+		run->max[axis] = greater(run->max[axis], by->max[axis]);
 	}
-	float *run_start = &vertices[end->run].start;
-	*run_start = smaller(*run_start, edge->from.start);
-	vertices[end->place++] = edge->to;
+}
+
+static struct edge_vertex vertex_of(const struct chain_point *point, uint32_t screen)
+{
+	float step = 1.0f / (float)screen;
+	return (struct edge_vertex){
+		(float)point->x * step, (float)point->y * step, point->depth, 0.0f};
 }
 
 /* Writes the collected edges, each tile's in the chains' order. */
 static void write_lists(
-	struct edge_lists *lists, const struct edge_chains *chains, size_t tiles, float step)
+	struct edge_lists *lists, const struct edge_chains *chains, size_t tiles, uint32_t screen)
 {
 	place_lists(lists, tiles);
 	size_t entry = 0;
+	uint32_t vertex = 0; /* the next one */
 	for (size_t i = 0; i + 1 < chains->count; i++) {
-		if (entry == lists->entry_ends[i])
+		const struct chain_point *edge = &chains->points[i];
+		uint32_t added = added_vertices(lists, i);
+		for (uint32_t k = 2 - added; k < 2 && added > 0; k++)
+			lists->vertices[vertex++] = vertex_of(&edge[k], screen);
+		if (added == 0)
 			continue;
-		struct listed_edge edge = listed_edge_of(&chains->points[i], step);
+		struct edge_run alone = run_of(edge, vertex - 2, screen);
 		for (; entry < lists->entry_ends[i]; entry++) {
 			struct list_end *end = &lists->ends[lists->entries[entry]];
-			write_edge(lists->vertices, end, &edge, continues(end, i));
+			if (continues(end, i))
+				extend(&lists->runs[end->place - 1], &alone);
+			else
+				lists->runs[end->place++] = alone;
 		}
 	}
 }
 
 static int compare_runs(const void *p, const void *q)
 {
-	const struct chain_run *a = p, *b = q;
+	const struct edge_run *a = p, *b = q;
 	if (a->start != b->start)
 		return a->start < b->start ? -1 : 1;
-	return a->first < b->first ? -1 : a->first > b->first;
+	return edge_run_first(a) < edge_run_first(b) ? -1 : edge_run_first(a) > edge_run_first(b);
 }
 
-static void insert_runs(struct chain_run *runs, size_t count)
+static void insert_runs(struct edge_run *runs, size_t count)
 {
 	for (size_t i = 1; i < count; i++) {
-		struct chain_run run = runs[i];
+		struct edge_run run = runs[i];
 		size_t place = i;
 		for (; place > 0 && compare_runs(&runs[place - 1], &run) > 0; place--)
 			runs[place] = runs[place - 1];
@@ -265,89 +323,59 @@ static void insert_runs(struct chain_run *runs, size_t count)
 /* Insertion is quicker than qsort() up to about so many. */
 #define INSERTED_MAX 24
 
-/* Sorts a list's chains. There is room in sorted and order. */
-static void sort_list(struct edge_lists *lists, uint32_t first, uint32_t end)
+static void sort_lists(struct edge_lists *lists, size_t tiles)
 {
-	struct chain_run *order = lists->order;
-	size_t runs = 0;
-	bool is_sorted = true;
-	for (uint32_t i = first; i < end; i++) {
-		float start = lists->vertices[i].start;
-		if (start == 0.0f) {
-			order[runs - 1].count++;
-			continue;
-		}
-		is_sorted &= runs == 0 || order[runs - 1].start <= start;
-		order[runs++] = (struct chain_run){start, i, 1};
-	}
-	if (is_sorted)
-		return;
-	if (runs <= INSERTED_MAX)
-		insert_runs(order, runs);
-	else
-		qsort(order, runs, sizeof(*order), compare_runs);
-	struct chain_vertex *to = lists->sorted;
-	for (size_t i = 0; i < runs; to += order[i++].count)
-		memcpy(to, &lists->vertices[order[i].first], order[i].count * sizeof(*to));
-	memcpy(&lists->vertices[first], lists->sorted, (end - first) * sizeof(*to));
-}
-
-static bool sort_lists(struct edge_lists *lists, size_t tiles)
-{
-	uint32_t longest = 0;
 	for (size_t t = 0; t < tiles; t++) {
-		uint32_t count = lists->first[t + 1] - lists->first[t];
-		longest = count > longest ? count : longest;
+		struct edge_run *runs = &lists->runs[lists->first[t]];
+		size_t count = lists->first[t + 1] - lists->first[t];
+		if (count <= INSERTED_MAX)
+			insert_runs(runs, count);
+		else
+			qsort(runs, count, sizeof(*runs), compare_runs);
 	}
-	if (!array_reserve((void **)&lists->sorted, &lists->sorted_capacity, longest,
-		    sizeof(*lists->sorted)) ||
-		!array_reserve((void **)&lists->order, &lists->order_capacity, longest / 2,
-			sizeof(*lists->order)))
-		return false;
-	for (size_t t = 0; t < tiles; t++)
-		sort_list(lists, lists->first[t], lists->first[t + 1]);
-	return true;
 }
 
 enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct edge_chains *chains,
-	struct edge_cover *cover, float step, size_t vertices_max, bool drop)
+	struct edge_cover *cover, uint32_t screen, struct edge_room room, bool drop)
 {
 	size_t tiles = (size_t)cover->tiles * cover->tiles;
 	lists->dropped = 0;
 	if (!reserve(lists, tiles, chains->count))
 		return EDGE_LISTS_NO_MEMORY;
-	if (!drop && looks_full(lists, chains, cover, vertices_max))
+	if (!drop && looks_full(lists, chains, cover, room.runs))
 		return EDGE_LISTS_FULL;
-	enum edge_lists_result result = collect(lists, chains, cover, vertices_max, no_limit);
+	enum edge_lists_result result = collect(lists, chains, cover, room, no_limit);
 	if (result == EDGE_LISTS_FULL && drop)
-		result = collect_nearest(lists, chains, cover, vertices_max);
+		result = collect_nearest(lists, chains, cover, room);
 	if (result != EDGE_LISTS_MADE)
 		return result;
 	lists->edge_count = lists->entry_count;
 	if (!array_reserve((void **)&lists->vertices, &lists->vertex_capacity, lists->vertex_count,
-		    sizeof(*lists->vertices)))
+		    sizeof(*lists->vertices)) ||
+		!array_reserve((void **)&lists->runs, &lists->run_capacity, lists->run_count,
+			sizeof(*lists->runs)))
 		return EDGE_LISTS_NO_MEMORY;
-	write_lists(lists, chains, tiles, step);
-	return sort_lists(lists, tiles) ? EDGE_LISTS_MADE : EDGE_LISTS_NO_MEMORY;
+	write_lists(lists, chains, tiles, screen);
+	sort_lists(lists, tiles);
+	return EDGE_LISTS_MADE;
 }
 
 void edge_lists_finish(struct edge_lists *lists)
 {
 	free(lists->vertices);
+	free(lists->runs);
 	free(lists->first);
 	free(lists->entries);
 	free(lists->entry_ends);
 	free(lists->ends);
-	free(lists->sorted);
-	free(lists->order);
 	*lists = (struct edge_lists){0};
 }
 
 size_t edge_lists_bytes(const struct edge_lists *lists)
 {
-	return (lists->vertex_capacity + lists->sorted_capacity) * sizeof(*lists->vertices) +
+	return lists->vertex_capacity * sizeof(*lists->vertices) +
+	       lists->run_capacity * sizeof(*lists->runs) +
 	       (lists->first_capacity + lists->entry_end_capacity) * sizeof(uint32_t) +
 	       lists->end_capacity * sizeof(*lists->ends) +
-	       lists->entry_capacity * sizeof(*lists->entries) +
-	       lists->order_capacity * sizeof(*lists->order);
+	       lists->entry_capacity * sizeof(*lists->entries);
 }

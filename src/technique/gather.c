@@ -10,8 +10,14 @@
 #include <float.h>
 #include <math.h>
 
-/* Vertices in a row of their texture; as in shadow_gather.glsl. */
-#define EDGE_ROW 1024
+/* Runs or vertices in a row of their texture; as in shadow_gather.glsl. */
+#define TABLE_ROW 1024
+
+/* A texture of runs or vertices. */
+struct list_table {
+	GLuint texture;
+	GLsizei rows;
+};
 
 /* Penumbrae from the silhouette edges themselves, listed for tiles of the light's screen: each
  * receiver adds up which part of the light's disc lies behind which edge. Integer and float
@@ -22,8 +28,8 @@ struct gather {
 	struct target layers[GATHER_LAYERS];
 	int layer_count;     /* that the last frame has */
 	struct target depth; /* what the layers are drawn with */
-	GLuint tiles, vertices, masks;
-	GLsizei rows; /* of the texture of vertices */
+	GLuint tiles, masks;
+	struct list_table runs, vertices;
 	struct edge_grid grid;
 	struct screen_grid soft;
 	struct depth_map hard; /* of a light that is a point; made when there is one */
@@ -71,7 +77,8 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 		return false;
 	upload_masks(gather, gl);
 	gather->tiles = create_table(gl);
-	gather->vertices = create_table(gl);
+	gather->runs.texture = create_table(gl);
+	gather->vertices.texture = create_table(gl);
 	return true;
 }
 
@@ -80,7 +87,8 @@ static void gather_finish(void *state, struct gpu *gpu)
 	struct gather *gather = state;
 	depth_map_finish(&gather->hard, gpu);
 	edge_grid_finish(&gather->grid);
-	gl_delete_texture(&gpu->gl, &gather->vertices);
+	gl_delete_texture(&gpu->gl, &gather->runs.texture);
+	gl_delete_texture(&gpu->gl, &gather->vertices.texture);
 	gl_delete_texture(&gpu->gl, &gather->tiles);
 	gl_delete_texture(&gpu->gl, &gather->masks);
 	for (int i = 0; i < GATHER_LAYERS; i++)
@@ -172,27 +180,46 @@ static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_
 	return drawn;
 }
 
-static void upload_vertices(struct gather *gather, struct gpu *gpu)
+/* Of a table of RGBA32F or RGBA32UI, TABLE_ROW a row. */
+#define TABLE_TEXEL_BYTES 16
+_Static_assert(sizeof(struct edge_run) == TABLE_TEXEL_BYTES, "a texel");
+_Static_assert(sizeof(struct edge_vertex) == TABLE_TEXEL_BYTES, "a texel");
+
+/* How the texels of a table are stored. */
+struct table_format {
+	GLint internal;
+	GLenum format, type;
+};
+
+/* Writes texels, at most `most`, a whole number of rows. */
+static void upload_table(struct gl *gl, struct list_table *table, const struct table_format *as,
+	const void *texels, size_t count, GLsizei most)
 {
-	struct gl *gl = &gpu->gl;
-	const struct edge_grid *grid = &gather->grid;
-	GLsizei rows = (GLsizei)((grid->vertex_count + EDGE_ROW - 1) / EDGE_ROW);
-	GLsizei full = (GLsizei)(grid->vertex_count / EDGE_ROW);
-	GLsizei rest = (GLsizei)(grid->vertex_count % EDGE_ROW);
-	gl->BindTexture(GL_TEXTURE_2D, gather->vertices);
-	if (rows > gather->rows) {
-		/* A whole number of rows. */
-		GLsizei most = GATHER_VERTICES_MAX / EDGE_ROW;
-		gather->rows = rows + rows / 2 < most ? rows + rows / 2 : most;
-		gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, EDGE_ROW, gather->rows, 0, GL_RGBA,
-			GL_FLOAT, NULL);
+	GLsizei full = (GLsizei)(count / TABLE_ROW), rest = (GLsizei)(count % TABLE_ROW);
+	GLsizei rows = full + (rest > 0);
+	gl->BindTexture(GL_TEXTURE_2D, table->texture);
+	if (rows > table->rows) {
+		table->rows =
+			rows + rows / 2 < most / TABLE_ROW ? rows + rows / 2 : most / TABLE_ROW;
+		gl->TexImage2D(GL_TEXTURE_2D, 0, as->internal, TABLE_ROW, table->rows, 0,
+			as->format, as->type, NULL);
 	}
 	if (full > 0)
 		gl->TexSubImage2D(
-			GL_TEXTURE_2D, 0, 0, 0, EDGE_ROW, full, GL_RGBA, GL_FLOAT, grid->vertices);
+			GL_TEXTURE_2D, 0, 0, 0, TABLE_ROW, full, as->format, as->type, texels);
 	if (rest > 0)
-		gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, GL_RGBA, GL_FLOAT,
-			grid->vertices + (size_t)full * EDGE_ROW);
+		gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, as->format, as->type,
+			(const char *)texels + (size_t)full * TABLE_ROW * TABLE_TEXEL_BYTES);
+}
+
+static void upload_edges(struct gather *gather, struct gl *gl)
+{
+	static const struct table_format runs = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+	static const struct table_format vertices = {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+	const struct edge_grid *grid = &gather->grid;
+	upload_table(gl, &gather->runs, &runs, grid->runs, grid->run_count, GATHER_RUNS_MAX);
+	upload_table(gl, &gather->vertices, &vertices, grid->vertices, grid->vertex_count,
+		GATHER_VERTICES_MAX);
 }
 
 static void upload_tiles(struct gather *gather, struct gpu *gpu)
@@ -248,7 +275,7 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 		.tiles = GATHER_TILES,
 		.map_size = (uint32_t)gather->depth.size,
 		.subpixel_bits = gather->subpixel_bits,
-		.vertices_max = GATHER_VERTICES_MAX,
+		.room = {GATHER_RUNS_MAX, GATHER_VERTICES_MAX},
 	};
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
@@ -259,9 +286,9 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 		gpu->stats.silhouette_ms += processor_ms() - start;
 		gpu->gl.ActiveTexture(GL_TEXTURE0);
 		upload_tiles(gather, gpu);
-		upload_vertices(gather, gpu);
+		upload_edges(gather, &gpu->gl);
 		gpu->stats.uploaded_bytes +=
-			gather->grid.vertex_count * sizeof(struct chain_vertex) +
+			(gather->grid.vertex_count + gather->grid.run_count) * TABLE_TEXEL_BYTES +
 			(uint64_t)gather->grid.tiles * gather->grid.tiles *
 				sizeof(struct edge_tile);
 	}
@@ -378,7 +405,8 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 	}
 	gl->Uniform1i(program->uniform.layer_count, gather->layer_count);
 	gpu_bind_texture(gpu, UNIT_EDGE_TILES, gather->tiles);
-	gpu_bind_texture(gpu, UNIT_EDGES, gather->vertices);
+	gpu_bind_texture(gpu, UNIT_EDGE_RUNS, gather->runs.texture);
+	gpu_bind_texture(gpu, UNIT_EDGES, gather->vertices.texture);
 	gpu_bind_texture(gpu, UNIT_DISC_MASKS, gather->masks);
 	depth_map_set_receiver(gpu, gather->depth.size, DEPTH_MAP_NEAREST, frame, program);
 	gl->Uniform1f(program->uniform.disc_scale, disc_scale(frame));

@@ -248,27 +248,27 @@ static void check_frame(const struct light_frame *frame, const struct sm_scene *
 	expect(frame->pole >= 1.0f && isfinite(frame->pole));
 }
 
-/* Chains of an edge at least, the nearest first, and nothing before what their starts say. */
-static void check_list(const struct edge_tile *tile, const struct chain_vertex *list)
+/* Runs of finite edges, the nearest first, and nothing before what their starts say. */
+static void check_list(const struct edge_grid *grid, const struct edge_tile *tile)
 {
-	uint32_t count = edge_tile_count(tile);
-	float start = list[0].start;
-	expect(start == tile->nearest + 1.0f);
-	for (uint32_t i = 0; i < count; i++) {
-		expect(isfinite(list[i].x) && isfinite(list[i].y) && isfinite(list[i].depth));
-		if (list[i].start != 0.0f) {
-			expect(list[i].start >= start && list[i].start >= 1.0f);
-			expect(i + 1 < count && list[i + 1].start == 0.0f);
-			start = list[i].start;
+	const struct edge_run *runs = &grid->runs[tile->first];
+	expect(runs[0].start == tile->nearest);
+	for (uint32_t i = 0; i < edge_tile_count(tile); i++) {
+		uint32_t first = edge_run_first(&runs[i]), count = edge_run_count(&runs[i]);
+		expect(i == 0 || runs[i].start >= runs[i - 1].start);
+		expect(count >= 1 && count <= EDGE_RUN_MAX && first + count < grid->vertex_count);
+		for (const struct edge_vertex *at = &grid->vertices[first];
+			at <= &grid->vertices[first + count]; at++) {
+			expect(isfinite(at->x) && isfinite(at->y));
+			expect(isfinite(at->depth) && at->depth >= runs[i].start);
 		}
-		expect(list[i].depth >= start - 1.0f);
 	}
 }
 
-static void check_edge_grid(const struct edge_grid *grid, size_t vertices_max)
+static void check_edge_grid(const struct edge_grid *grid, const struct edge_room *room)
 {
 	size_t sum = 0;
-	expect(grid->vertex_count <= vertices_max);
+	expect(grid->run_count <= room->runs && grid->vertex_count <= room->vertices);
 	expect(grid->tiles >= 32 && grid->tiles <= EDGE_GRID_TILES_MAX);
 	for (size_t t = 0; t < (size_t)grid->tiles * grid->tiles; t++) {
 		const struct edge_tile *tile = &grid->of[t];
@@ -278,18 +278,18 @@ static void check_edge_grid(const struct edge_grid *grid, size_t vertices_max)
 			continue;
 		expect(tile->first == sum);
 		sum += edge_tile_count(tile);
-		expect(sum <= grid->vertex_count);
-		check_list(tile, &grid->vertices[tile->first]);
+		expect(sum <= grid->run_count);
+		check_list(grid, tile);
 	}
-	expect(sum == grid->vertex_count);
+	expect(sum == grid->run_count);
 }
 
 /* With room for all, and for few; as finely as Mesa's drivers draw, and as coarsely as may be. */
 static void check_edges(const struct sm_scene *scene)
 {
 	static const struct edge_grid_options options[] = {
-		{.tiles = 128, .map_size = 512, .subpixel_bits = 8, .vertices_max = 100000},
-		{.tiles = 64, .map_size = 3, .subpixel_bits = 1, .vertices_max = 100},
+		{.tiles = 128, .map_size = 512, .subpixel_bits = 8, .room = {100000, 100000}},
+		{.tiles = 64, .map_size = 3, .subpixel_bits = 1, .room = {100, 100}},
 	};
 	struct light_frame frame;
 	struct edge_grid grid = {0};
@@ -299,7 +299,7 @@ static void check_edges(const struct sm_scene *scene)
 	check_frame(&frame, scene);
 	for (size_t i = 0; i < sizeof(options) / sizeof(options[0]); i++) {
 		expect(edge_grid_find(&grid, scene, &frame, &options[i]));
-		check_edge_grid(&grid, options[i].vertices_max);
+		check_edge_grid(&grid, &options[i].room);
 	}
 	edge_grid_finish(&grid);
 }

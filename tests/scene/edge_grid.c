@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-static const struct edge_grid_options usual = {64, MAP_SIZE, SUBPIXEL_BITS, VERTICES_MAX};
+static const struct edge_grid_options usual = {64, MAP_SIZE, SUBPIXEL_BITS, ROOM};
 
 /* Column-major. */
 static const float unmoved[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -123,61 +123,90 @@ static void a_light_inside_a_caster_sees_what_is_beyond_the_near_plane(void **st
 		model_finish((struct model *)&rows[i].model);
 }
 
-/* Edges in all lists that are not behind a depth, and are. */
-static void count_entries(const struct edge_grid *grid, float depth, size_t *before, size_t *behind)
+/* Whether a vertex is nearer than a depth. */
+static bool is_nearer(const struct edge_vertex *edge, float depth)
 {
-	*before = *behind = 0;
-	for (size_t i = 1; i < grid->vertex_count; i++) {
-		if (grid->vertices[i].start != 0.0f)
-			continue;
-		float nearest = fminf(grid->vertices[i - 1].depth, grid->vertices[i].depth);
-		*(nearest <= depth ? before : behind) += 1;
+	return fminf(edge[0].depth, edge[1].depth) <= depth;
+}
+
+/* Edges in all lists that are not behind a depth. */
+static size_t count_entries(const struct edge_grid *grid, float depth)
+{
+	size_t before = 0;
+	for (size_t i = 0; i < grid->run_count; i++) {
+		const struct edge_vertex *edge = &grid->vertices[edge_run_first(&grid->runs[i])];
+		for (uint32_t k = 0; k < edge_run_count(&grid->runs[i]); k++)
+			before += is_nearer(&edge[k], depth);
 	}
+	return before;
+}
+
+/* The nearest end of the edge whose nearest end is deepest. */
+static float deepest_listed(const struct edge_grid *grid)
+{
+	float deepest = 0.0f;
+	for (size_t i = 0; i < grid->run_count; i++) {
+		const struct edge_vertex *edge = &grid->vertices[edge_run_first(&grid->runs[i])];
+		for (uint32_t k = 0; k < edge_run_count(&grid->runs[i]); k++)
+			deepest = fmaxf(deepest, fminf(edge[k].depth, edge[k + 1].depth));
+	}
+	return deepest;
+}
+
+/* With too little room, the nearest edges are listed, and the others counted. */
+static void assert_nearest_win(struct world *world, const struct edge_grid *all,
+	const struct edge_grid_options *options, bool some)
+{
+	world_find(world, options);
+	assert_int_equal(world->grid.tiles, 32);
+	assert_true(world->grid.run_count <= options->room.runs);
+	assert_true(world->grid.vertex_count <= options->room.vertices);
+	assert_lists_are_in_order(world, "debris without room");
+	assert_winding_counts_sheets(world, "debris without room");
+	assert_true(world->grid.dropped > 0);
+	assert_int_equal(
+		count_entries(&world->grid, 2.0f) + world->grid.dropped, count_entries(all, 2.0f));
+	if (!some)
+		return;
+	/* No edge is missing that is nearer, by a thousandth of all depths. */
+	assert_true(world->grid.run_count > options->room.runs / 2 ||
+		    world->grid.vertex_count > options->room.vertices / 2);
+	float deepest = deepest_listed(&world->grid) - 1e-3f;
+	assert_int_equal(count_entries(&world->grid, deepest), count_entries(all, deepest));
 }
 
 static void fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long(void **state)
 {
 	(void)state;
 	struct world world, all;
-	struct edge_grid_options options = {128, MAP_SIZE, SUBPIXEL_BITS, VERTICES_MAX};
+	struct edge_grid_options options = {128, MAP_SIZE, SUBPIXEL_BITS, ROOM};
 	static const char *const wide[] = {"light.radius=0.6"};
 	world_load(&world, "builtin:debris:600", wide, 1);
 	world_load(&all, "builtin:debris:600", wide, 1);
 	options.tiles = 32;
 	world_find(&all, &options);
-	size_t enough = all.grid.vertex_count, entries, none;
-	count_entries(&all.grid, 1.0f, &entries, &none);
-	assert_int_equal(none, 0);
+	assert_int_equal(count_entries(&all.grid, 1.0f), count_entries(&all.grid, 2.0f));
+	const struct edge_room enough = {all.grid.run_count, all.grid.vertex_count};
 
 	options.tiles = 128;
-	options.vertices_max = enough;
+	options.room = enough;
 	world_find(&world, &options);
 	assert_int_equal(world.grid.tiles, 32);
 	assert_grid(&world, "debris on 32 tiles");
 
-	size_t rooms[] = {enough - 1, enough / 2, enough / 10, 100, 3, 2, 1, 0};
-	for (size_t i = 0; i < sizeof(rooms) / sizeof(rooms[0]); i++) {
-		options.vertices_max = rooms[i];
-		world_find(&world, &options);
-		assert_int_equal(world.grid.tiles, 32);
-		assert_true(world.grid.vertex_count <= rooms[i]);
-		assert_lists_are_in_order(&world, "debris without room");
-		assert_winding_counts_sheets(&world, "debris without room");
-		size_t kept, missing, beyond;
-		count_entries(&world.grid, 2.0f, &kept, &none);
-		assert_int_equal(kept + world.grid.dropped, entries);
-		if (rooms[i] < enough / 10)
-			continue;
-		/* No edge is missing that is nearer, by a thousandth of all depths. */
-		assert_true(world.grid.vertex_count > rooms[i] / 2);
-		float deepest = 0.0f;
-		for (size_t k = 1; k < world.grid.vertex_count; k++)
-			if (world.grid.vertices[k].start == 0.0f)
-				deepest = fmaxf(deepest, fminf(world.grid.vertices[k - 1].depth,
-								 world.grid.vertices[k].depth));
-		count_entries(&all.grid, deepest - 1e-3f, &missing, &beyond);
-		count_entries(&world.grid, deepest - 1e-3f, &kept, &none);
-		assert_int_equal(kept, missing);
+	size_t parts[] = {2, 10, 100, 1000};
+	for (size_t i = 0; i < sizeof(parts) / sizeof(parts[0]); i++) {
+		options.tiles = 32;
+		options.room = (struct edge_room){enough.runs / parts[i], enough.vertices};
+		assert_nearest_win(&world, &all.grid, &options, parts[i] <= 10);
+		options.room = (struct edge_room){enough.runs, enough.vertices / parts[i]};
+		assert_nearest_win(&world, &all.grid, &options, parts[i] <= 10);
+	}
+	for (size_t few = 0; few < 4; few++) {
+		options.room = (struct edge_room){few, enough.vertices};
+		assert_nearest_win(&world, &all.grid, &options, false);
+		options.room = (struct edge_room){enough.runs, few};
+		assert_nearest_win(&world, &all.grid, &options, false);
 	}
 	world_finish(&world);
 	world_finish(&all);
@@ -186,6 +215,7 @@ static void fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long(void **st
 static void assert_nothing_listed(const struct world *world)
 {
 	assert_int_equal(world->grid.vertex_count, 0);
+	assert_int_equal(world->grid.run_count, 0);
 	assert_true(world->grid.mean_list == 0.0f);
 	for (uint32_t t = 0; t < world->grid.tiles * world->grid.tiles; t++)
 		assert_true(edge_tile_count(&world->grid.of[t]) == 0 &&
@@ -230,15 +260,17 @@ static bool overlap(float a, float b, float low, float high)
 /* The box around each edge of a tile's list touches the tile grown by a margin, tiles. */
 static void assert_near_tile(const struct edge_grid *grid, uint32_t t, float margin)
 {
-	const struct chain_vertex *list = &grid->vertices[grid->of[t].first];
-	float tiles = (float)grid->tiles;
+	float tiles = (float)grid->tiles, side = 1.0f + 2.0f * margin;
 	float left = (float)(t % grid->tiles) - margin, bottom = (float)(t / grid->tiles) - margin;
-	for (uint32_t i = 1; i < edge_tile_count(&grid->of[t]); i++)
-		assert_true(list[i].start != 0.0f ||
-			    (overlap(list[i - 1].x * tiles, list[i].x * tiles, left,
-				     left + 1.0f + 2.0f * margin) &&
-				    overlap(list[i - 1].y * tiles, list[i].y * tiles, bottom,
-					    bottom + 1.0f + 2.0f * margin)));
+	for (uint32_t i = 0; i < edge_tile_count(&grid->of[t]); i++) {
+		const struct edge_run *run = &grid->runs[grid->of[t].first + i];
+		const struct edge_vertex *edge = &grid->vertices[edge_run_first(run)];
+		for (uint32_t k = 0; k < edge_run_count(run); k++)
+			assert_true(overlap(edge[k].x * tiles, edge[k + 1].x * tiles, left,
+					    left + side) &&
+				    overlap(edge[k].y * tiles, edge[k + 1].y * tiles, bottom,
+					    bottom + side));
+	}
 }
 
 static void a_point_light_lists_edges_where_they_are(void **state)
@@ -308,6 +340,9 @@ static void a_grid_serves_one_scene_after_the_other(void **state)
 		assert_int_equal(world.grid.vertex_count, fresh.grid.vertex_count);
 		assert_memory_equal(world.grid.vertices, fresh.grid.vertices,
 			fresh.grid.vertex_count * sizeof(*fresh.grid.vertices));
+		assert_int_equal(world.grid.run_count, fresh.grid.run_count);
+		assert_memory_equal(world.grid.runs, fresh.grid.runs,
+			fresh.grid.run_count * sizeof(*fresh.grid.runs));
 		assert_memory_equal(world.grid.of, fresh.grid.of,
 			sizeof(*fresh.grid.of) * fresh.grid.tiles * fresh.grid.tiles);
 		assert_true(edge_grid_bytes(&world.grid) >= edge_grid_bytes(&fresh.grid));

@@ -9,7 +9,11 @@
 #define MAP_SIZE 512
 #define SUBPIXEL_BITS 8
 #define SCREEN (MAP_SIZE << SUBPIXEL_BITS)
-#define VERTICES_MAX 1000000
+/* For lists of any length. */
+#define ROOM                     \
+	{                        \
+		1000000, 1000000 \
+	}
 
 /** A scene with a light, and its grid. */
 struct world {
@@ -38,7 +42,7 @@ void world_project(const mat4 to_clip, const float p[3], double clip[4]);
  *  the light, and for parts that are not closed of those that do not. */
 void assert_winding_counts_sheets(const struct world *world, const char *what);
 
-/** Each list is of chains of an edge at least, the nearest first, said so by their starts. */
+/** Each list is of runs of edges, the nearest first, that say where they are. */
 void assert_lists_are_in_order(const struct world *world, const char *what);
 
 /** Random receivers find in their tiles' lists every edge that concerns them. */

@@ -8,48 +8,56 @@
 
 #include <cmocka.h>
 
-/* Each list: chains of an edge at least, the nearest first, said so by their starts. */
+/* The vertices of a run are no nearer than it says, and within its box where they are on the
+ * screen. */
+static void assert_run_holds(const struct edge_grid *grid, const struct edge_run *run,
+	const struct edge_tile *tile, const char *what)
+{
+	const struct edge_vertex *vertices = &grid->vertices[edge_run_first(run)];
+	assert_in_range(edge_run_count(run), 1, EDGE_RUN_MAX);
+	assert_true(edge_run_first(run) + edge_run_count(run) < grid->vertex_count);
+	for (uint32_t i = 0; i <= edge_run_count(run); i++) {
+		const float at[2] = {vertices[i].x, vertices[i].y};
+		assert_true(isfinite(at[0]) && isfinite(at[1]) && isfinite(vertices[i].depth));
+		if (!(vertices[i].depth >= run->start) || !(vertices[i].depth >= tile->nearest))
+			fail_msg("%s: depth %g, start %g", what, (double)vertices[i].depth,
+				(double)run->start);
+		for (int axis = 0; axis < 2; axis++) {
+			float steps = fminf(fmaxf(at[axis], 0.0f), 1.0f) * EDGE_BOX_STEPS;
+			assert_true(steps >= (float)run->min[axis] &&
+				    steps <= (float)run->max[axis] + 1.0f);
+		}
+	}
+}
+
 void assert_lists_are_in_order(const struct world *world, const char *what)
 {
 	const struct edge_grid *grid = &world->grid;
 	size_t sum = 0;
 	for (uint32_t t = 0; t < grid->tiles * grid->tiles; t++) {
 		const struct edge_tile *tile = &grid->of[t];
+		const struct edge_run *runs = &grid->runs[tile->first];
 		uint32_t count = edge_tile_count(tile);
-		const struct chain_vertex *list = &grid->vertices[tile->first];
-		if (count == 0) {
-			assert_true(tile->nearest == 2.0f);
-			continue;
-		}
-		assert_int_equal(tile->first, sum);
+		assert_true(count > 0 || tile->nearest == 2.0f);
+		assert_true(count == 0 || tile->first == sum);
 		sum += count;
-		assert_true(sum <= grid->vertex_count);
-		assert_true(list[0].start >= 1.0f);
-		float start = list[0].start;
+		assert_true(sum <= grid->run_count);
 		for (uint32_t i = 0; i < count; i++) {
-			if (list[i].start != 0.0f) {
-				if (list[i].start < start || i + 1 == count ||
-					list[i + 1].start != 0.0f)
-					fail_msg("%s: tile %u: chain at %u", what, t, i);
-				start = list[i].start;
-			}
-			if (!(list[i].depth >= start - 1.0f) || !(list[i].depth >= tile->nearest))
-				fail_msg("%s: tile %u: depth %g, start %g", what, t,
-					(double)list[i].depth, (double)start);
-			assert_true(isfinite(list[i].x) && isfinite(list[i].y) &&
-				    isfinite(list[i].depth));
+			if (i > 0 && !(runs[i].start >= runs[i - 1].start))
+				fail_msg("%s: tile %u: run %u", what, t, i);
+			assert_run_holds(grid, &runs[i], tile, what);
 		}
 	}
-	assert_int_equal(sum, grid->vertex_count);
+	assert_int_equal(sum, grid->run_count);
 }
 
-static struct chain_vertex vertex_of(const struct chain_point *point)
+static struct edge_vertex vertex_of(const struct chain_point *point)
 {
-	return (struct chain_vertex){
+	return (struct edge_vertex){
 		(float)point->x / SCREEN, (float)point->y / SCREEN, point->depth, 0.0f};
 }
 
-static bool same_place(const struct chain_vertex *a, const struct chain_vertex *b)
+static bool same_place(const struct edge_vertex *a, const struct edge_vertex *b)
 {
 	return a->x == b->x && a->y == b->y && a->depth == b->depth;
 }
@@ -57,12 +65,14 @@ static bool same_place(const struct chain_vertex *a, const struct chain_vertex *
 /* How often a tile lists an edge. */
 static int times_listed(const struct edge_grid *grid, uint32_t t, const struct chain_point *edge)
 {
-	const struct chain_vertex *list = &grid->vertices[grid->of[t].first];
-	struct chain_vertex a = vertex_of(&edge[0]), b = vertex_of(&edge[1]);
+	struct edge_vertex a = vertex_of(&edge[0]), b = vertex_of(&edge[1]);
 	int times = 0;
-	for (uint32_t i = 1; i < edge_tile_count(&grid->of[t]); i++)
-		times += list[i].start == 0.0f && same_place(&list[i - 1], &a) &&
-			 same_place(&list[i], &b);
+	for (uint32_t i = 0; i < edge_tile_count(&grid->of[t]); i++) {
+		const struct edge_run *run = &grid->runs[grid->of[t].first + i];
+		const struct edge_vertex *from = &grid->vertices[edge_run_first(run)];
+		for (const struct edge_vertex *at = from; at < from + edge_run_count(run); at++)
+			times += same_place(&at[0], &a) && same_place(&at[1], &b);
+	}
 	return times;
 }
 
@@ -108,7 +118,7 @@ static bool touches_tile(const struct edge_grid *grid, uint32_t t, double x, dou
 static bool concerns(
 	const struct world *world, const struct receiver *receiver, const struct chain_point *edge)
 {
-	struct chain_vertex a = vertex_of(&edge[0]), b = vertex_of(&edge[1]);
+	struct edge_vertex a = vertex_of(&edge[0]), b = vertex_of(&edge[1]);
 	for (int i = 0; i <= 64; i++) {
 		double share = i / 64.0;
 		double x = a.x + share * ((double)b.x - a.x), y = a.y + share * ((double)b.y - a.y);
@@ -204,7 +214,7 @@ static void assert_sheets_are_not_behind_farthest(const struct world *world, con
 {
 	const struct edge_grid *grid = &world->grid;
 	for (size_t i = 0; i < grid->chains.count; i++) {
-		struct chain_vertex at = vertex_of(&grid->chains.points[i]);
+		struct edge_vertex at = vertex_of(&grid->chains.points[i]);
 		if (!(at.x >= 0.0f && at.x < 1.0f && at.y >= 0.0f && at.y < 1.0f))
 			continue;
 		uint32_t t = (uint32_t)(at.y * (float)grid->tiles) * grid->tiles +
