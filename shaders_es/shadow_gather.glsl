@@ -98,28 +98,42 @@ float noise_of(sheet sheet, receiver r)
 	return r.noise + snap * (abs(sheet.slope.x) + abs(sheet.slope.y));
 }
 
-// Whether the plane of a sheet, of the texel that is `off` from the receiver, is before that, which
-// leaves a floor beside a wall lit.
-bool is_before(sheet sheet, receiver r, vec2 off, float noise)
+// How far a sheet, at a texel that is `off` from the receiver, is before it: the plane of the sheet
+// before the receiver, and the sheet itself before the receiver's plane. The first is greater by how
+// the planes turn away from each other on the way, as a sum at most by `turn`.
+struct lead {
+	float here, there, turn;
+};
+
+lead lead_of(sheet sheet, receiver r, vec2 off)
 {
-	return sheet.depth - dot(sheet.slope, off) + noise < r.s.z;
+	float here = r.s.z - sheet.depth + dot(sheet.slope, off);
+	float there = r.s.z - sheet.depth + dot(r.slope, off);
+	return lead(here, there, dot(abs(sheet.slope - r.slope), abs(off)));
 }
 
-// Whether the sheet itself is before the receiver's plane there as well, which leaves a curved
-// surface lit.
-bool blocks(sheet sheet, receiver r, vec2 off, float noise)
+// Whether the sheet is before the receiver: on its own plane, which leaves a floor beside a wall lit,
+// and as seen from the receiver's, which leaves a curved surface lit.
+bool blocks(lead lead, float noise)
 {
-	return is_before(sheet, r, off, noise) &&
-		sheet.depth + noise < r.s.z + dot(r.slope, off);
+	return min(lead.here, lead.there) > noise;
 }
 
-// How far the sheet is from the receiver's plane, where from 1 on it is another surface than the
-// receiver's own: one that is curved is off by as much as it turns on the way.
-float strangeness(sheet sheet, receiver r, vec2 off)
+// How far the sheet is from where the receiver's own would be, where from 1 on it is another: one
+// that bends once on the way is behind the receiver's plane, or before it, by none to all of what
+// it turns.
+float strangeness(lead lead, receiver r)
 {
-	float turn = dot(abs(sheet.slope - r.slope), abs(off));
-	float apart = abs(sheet.depth - r.s.z - dot(r.slope, off));
-	return max(apart - r.noise, 0.0) / (1.5 * turn + r.noise);
+	float apart = abs(mix(lead.there, lead.here, 0.25));
+	return max(apart - r.noise, 0.0) / (lead.turn + r.noise);
+}
+
+// How doubtful it is, to 1, whether a sheet that is not the receiver's own is before it: they may
+// meet on the way, where no edge tells.
+float doubt(lead lead, float noise)
+{
+	float sure = min(lead.here, lead.there) / (lead.turn + noise);
+	return max(lead.here, lead.there) > noise ? 1.0 - clamp(sure, 0.0, 1.0) : 0.0;
 }
 
 // A point from which the winding number is carried to the receiver, and what it is there. Edges in
@@ -133,10 +147,14 @@ struct origin {
 	vec2 slope;
 };
 
-// To so much a sheet is the receiver's own without doubt; a texel farther off is a better one if its
-// sheet is that much less strange.
+// To so much a sheet is the receiver's own for certain; a texel farther off is a better one if its
+// sheet is that much less strange, doubt of the others added.
 const float CERTAIN = 0.02;
 const float BETTER = 0.2;
+// Worse than any texel that has it.
+const float NOT_FOUND = 3.0;
+// A sheet at a texel that has no other is rather the receiver's own: so strange it may be.
+const float STRANGE_ALONE = 2.0;
 
 // The sheets before the receiver at the nearest texel; if it casts itself, at that of the four
 // nearest where its own sheet is best found among them, which is left out. tries: 4, 1, or 0 to leave
@@ -145,41 +163,48 @@ origin origin_among(receiver r, origin middle, int tries)
 {
 	origin from = middle;
 	vec2 place = r.s.xy * map_size.x, nearest = floor(place);
-	vec2 beside = vec2(place.x - nearest.x < 0.5 ? -1.0 : 1.0,
-		place.y - nearest.y < 0.5 ? -1.0 : 1.0);
-	float best = 1.0 + BETTER;
+	vec2 side = place - nearest - 0.5;
+	vec2 beside = vec2(side.x < 0.0 ? -1.0 : 1.0, side.y < 0.0 ? -1.0 : 1.0);
+	bool x_first = abs(side.x) >= abs(side.y);
+	float best = NOT_FOUND;
 	for (int i = 0; i < tries && best >= CERTAIN; i++) {
-		vec2 texel = nearest + beside * vec2(float(i & 1), float(i >> 1));
+		vec2 step = vec2(float(i & 1), float(i >> 1));
+		vec2 texel = nearest + beside * (x_first ? step : step.yx);
 		texel = clamp(texel, vec2(0.0), vec2(map_size.x - 1.0));
 		vec2 off = (texel + 0.5) * map_size.y - r.s.xy;
 		sheets sheets = sheets_at(ivec2(texel));
-		float strange = 2.0;
+		lead leads[LAYERS];
+		bool alone = layer_count < 2 || sheets.of[1].depth > 1.0;
+		float strange = NOT_FOUND, limit = alone ? STRANGE_ALONE : 1.0;
 		int own_layer = -1;
 		for (int j = 0; j < LAYERS; j++) {
-			float found = strangeness(sheets.of[j], r, off);
+			leads[j] = lead_of(sheets.of[j], r, off);
+			float found = strangeness(leads[j], r);
 			bool nearer = casts && j < layer_count && found < strange;
-			own_layer = nearer && found <= 1.0 ? j : own_layer;
+			own_layer = nearer && found <= limit ? j : own_layer;
 			strange = nearer ? found : strange;
 		}
-		bool own = strange <= 1.0;
-		if (i > 0 && (!own || strange >= best - BETTER))
-			continue;
-		best = own ? strange : 1.0 + BETTER;
+		float rise = dot(r.slope, off), doubts = 0.0;
 		int blocking = 0, before = 0;
 		for (int j = 0; j < LAYERS; j++) {
 			bool counts = j < layer_count;
 			// Of sheets that all but lie on each other the layers tell the order.
 			float noise = j < own_layer ? r.noise : noise_of(sheets.of[j], r);
-			before += int(counts && is_before(sheets.of[j], r, off, noise));
-			blocking += int(counts && j != own_layer &&
-				blocks(sheets.of[j], r, off, noise));
+			float nearer = leads[j].there - min(rise, 0.0);
+			before += int(counts && min(leads[j].here, nearer) > noise);
+			counts = counts && j != own_layer;
+			blocking += int(counts && blocks(leads[j], noise));
+			doubts = max(doubts, counts ? doubt(leads[j], noise) : 0.0);
 		}
+		float score = own_layer >= 0 ? strange + doubts : NOT_FOUND;
+		if (i > 0 && score >= best - BETTER)
+			continue;
+		best = score;
 		// Where all layers are before the receiver more sheets may be: of what does not cast
 		// it is taken that it lies behind all that are in line, and what does is dark where
 		// layers are drawn no further.
 		bool hidden = casts && blocking == LAYERS;
 		bool full = !casts && blocking == layer_count;
-		float rise = dot(r.slope, off);
 		from.at = full ? middle.at : off + r.s.xy;
 		from.winding = full ? middle.winding : hidden ? HIDDEN : blocking;
 		from.seen = full || hidden || !casts || strange < CERTAIN ? from.winding : before;

@@ -10,12 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far the receiver's sheet may have bent away from its plane on the way to a texel, over what
- * the slopes at both ends make of one bend; below which share of that it has not; and by how much
- * of it a farther texel has to be better. */
-#define BEND_MAX 1.5
-#define BEND_NONE 0.02
-#define BEND_GAIN 0.2
+/* How far off its own sheet the receiver may take a sheet for it, and one that is alone at its
+ * texel; below which there is no doubt; by how much of that a farther texel has to be better; and
+ * what none is as bad as. */
+#define STRANGE_MAX 1.0
+#define STRANGE_ALONE 2.0
+#define STRANGE_NONE 0.02
+#define STRANGE_GAIN 0.2
+#define NOT_FOUND 3.0
 
 struct gather {
 	struct model_light light; /* with the size of the layers */
@@ -157,57 +159,122 @@ static struct texel near_texel(const struct gather *gather, const struct eye *ey
 	return texel_at(gather, eye, at);
 }
 
-/* How far the sheet at a texel is off the receiver's plane, over how far it may be where it is the
- * receiver's own: bent once on the way, it is off by what the slopes at both ends differ. */
-static double bend(const struct gather *gather, const struct eye *eye, const struct texel *texel,
-	const struct sheet *sheet)
+/* How far a sheet at a texel is before the receiver: followed along its own plane, and from the
+ * receiver's plane there. On the way both planes turn away from each other by the difference, or by
+ * at most `turn` where the turns along x and y work against each other. */
+struct lead {
+	double here, there, turn;
+	double noise; /* of depths on both planes */
+};
+
+static struct lead lead_of(const struct gather *gather, const struct eye *eye,
+	const struct texel *texel, const struct sheet *sheet)
 {
 	const double *slope = eye->receiver->slope;
-	double plane = eye->receiver->depth + dot(slope, texel->off);
-	double most = eye->noise + gather->snap * length_1(sheet->slope);
+	double before = eye->receiver->depth - sheet->depth;
+	struct lead lead = {
+		.here = before + dot(sheet->slope, texel->off),
+		.there = before + dot(slope, texel->off),
+		.noise = eye->noise + gather->snap * length_1(sheet->slope),
+	};
 	for (int i = 0; i < 2; i++)
-		most += BEND_MAX * fabs((slope[i] - sheet->slope[i]) * texel->off[i]);
-	return fabs(sheet->depth - plane) / most;
+		lead.turn += fabs((sheet->slope[i] - slope[i]) * texel->off[i]);
+	return lead;
+}
+
+/* Those of the layers at a texel. */
+struct leads {
+	struct lead of[GATHER_LAYERS];
+	bool alone; /* there is one sheet at most */
+};
+
+static struct leads leads_at(
+	const struct gather *gather, const struct eye *eye, const struct texel *texel)
+{
+	struct leads leads;
+	for (int i = 0; i < GATHER_LAYERS; i++)
+		leads.of[i] = lead_of(gather, eye, texel, &gather->layers.of[i][texel->index]);
+	leads.alone = gather->layers.of[1][texel->index].depth > 1.0f;
+	return leads;
+}
+
+/* How far a sheet is from where the receiver's own would be, over what it may be: one that bends
+ * once on the way is behind the receiver's plane, or before it, by none to all of its turn. */
+static double strangeness(const struct lead *lead, double noise)
+{
+	double apart = fabs(0.75 * lead->there + 0.25 * lead->here);
+	return fmax(apart - noise, 0.0) / (lead->turn + noise);
+}
+
+/* Before the receiver on its own plane, which leaves a floor beside a wall lit, and as seen from
+ * the receiver's, which leaves a curved surface lit. */
+static bool blocks(const struct lead *lead, double noise)
+{
+	return fmin(lead->here, lead->there) > noise;
+}
+
+/* How doubtful that is: where both are not far apart they may meet on the way without an edge. */
+static double doubt(const struct lead *lead, double noise)
+{
+	double sure = fmin(lead->here, lead->there) / (lead->turn + noise);
+	return fmax(lead->here, lead->there) > noise ? 1.0 - fmin(fmax(sure, 0.0), 1.0) : 0.0;
 }
 
 /* Which layer the receiver's own sheet is, and at which texel. */
 struct own {
 	struct texel texel;
-	int layer;   /* -1: not found */
-	double bent; /* as bend() */
+	struct leads leads;
+	int layer; /* -1: not found */
+	double strange;
 };
 
-static struct own find_own(const struct gather *gather, const struct eye *eye)
+/* Of sheets that all but lie on each other the layers tell the order. */
+static double noise_of(const struct own *own, const struct eye *eye, int layer)
 {
-	struct own own = {near_texel(gather, eye, 0), -1, 1.0 + BEND_GAIN};
-	if (!eye->receiver->casts)
-		return own;
-	for (int rank = 0; rank < 4 && own.bent >= BEND_NONE; rank++) {
-		struct texel texel = near_texel(gather, eye, rank);
-		for (int i = 0; i < GATHER_LAYERS; i++) {
-			double bent = bend(gather, eye, &texel, &gather->layers.of[i][texel.index]);
-			if (bent <= 1.0 && bent < own.bent - BEND_GAIN)
-				own = (struct own){texel, i, bent};
+	return layer < own->layer ? eye->noise : own->leads.of[layer].noise;
+}
+
+static struct own find_own_at(
+	const struct gather *gather, const struct eye *eye, const struct texel *texel)
+{
+	struct own own = {*texel, leads_at(gather, eye, texel), -1, NOT_FOUND};
+	double most = own.leads.alone ? STRANGE_ALONE : STRANGE_MAX;
+	for (int i = 0; i < GATHER_LAYERS && eye->receiver->casts; i++) {
+		double strange = strangeness(&own.leads.of[i], eye->noise);
+		if (strange <= most && strange < own.strange) {
+			own.layer = i;
+			own.strange = strange;
 		}
 	}
 	return own;
 }
 
-/* Whether the plane of the sheet at a texel is before the receiver there, which leaves a floor
- * beside a wall lit. */
-static bool plane_blocks(
-	const struct eye *eye, const struct texel *texel, const struct sheet *sheet, double noise)
+static double score_of(const struct own *own, const struct eye *eye)
 {
-	return sheet->depth - dot(sheet->slope, texel->off) + noise < eye->receiver->depth;
+	double most = 0.0;
+	if (own->layer < 0)
+		return NOT_FOUND;
+	for (int i = 0; i < GATHER_LAYERS; i++)
+		if (i != own->layer)
+			most = fmax(most, doubt(&own->leads.of[i], noise_of(own, eye, i)));
+	return own->strange + most;
 }
 
-/* Whether the sheet itself is before the receiver's plane at the texel, which leaves a curved
- * surface lit. */
-static bool sheet_blocks(
-	const struct eye *eye, const struct texel *texel, const struct sheet *sheet, double noise)
+static struct own find_own(const struct gather *gather, const struct eye *eye)
 {
-	const struct receiver *receiver = eye->receiver;
-	return sheet->depth + noise < receiver->depth + dot(receiver->slope, texel->off);
+	struct texel texel = near_texel(gather, eye, 0);
+	struct own own = find_own_at(gather, eye, &texel);
+	double best = score_of(&own, eye);
+	for (int rank = 1; rank < 4 && eye->receiver->casts && best >= STRANGE_NONE; rank++) {
+		texel = near_texel(gather, eye, rank);
+		struct own other = find_own_at(gather, eye, &texel);
+		double score = score_of(&other, eye);
+		if (score < best - STRANGE_GAIN) {
+			own = other;
+			best = score;
+		}
+	}
+	return own;
 }
 
 /* Beside its own sheet the receiver's plane means nothing. */
@@ -218,19 +285,15 @@ static struct origin origin_of_layers(
 	struct own own = find_own(gather, eye);
 	struct origin origin = {.at = {own.texel.at[0], own.texel.at[1]},
 		.slope = {receiver->slope[0], receiver->slope[1]}};
+	double rise = fmin(dot(receiver->slope, own.texel.off), 0.0);
 	for (int i = 0; i < GATHER_LAYERS; i++) {
-		const struct sheet *sheet = &gather->layers.of[i][own.texel.index];
-		/* Of sheets that all but lie on each other the layers tell the order. */
-		double noise = eye->noise;
-		if (i >= own.layer)
-			noise += gather->snap * length_1(sheet->slope);
-		bool before = plane_blocks(eye, &own.texel, sheet, noise);
-		origin.winding_beside += before;
-		origin.winding +=
-			before && i != own.layer && sheet_blocks(eye, &own.texel, sheet, noise);
+		const struct lead *lead = &own.leads.of[i];
+		double noise = noise_of(&own, eye, i);
+		origin.winding += i != own.layer && blocks(lead, noise);
+		origin.winding_beside += fmin(lead->here, lead->there - rise) > noise;
 	}
 	*full = origin.winding == GATHER_LAYERS;
-	if (!receiver->casts || own.bent < BEND_NONE)
+	if (!receiver->casts || own.strange < STRANGE_NONE)
 		origin.winding_beside = origin.winding;
 	return origin;
 }
