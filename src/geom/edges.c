@@ -3,6 +3,7 @@
 #include "base/array.h"
 #include "geom/sides.h"
 #include <stdlib.h>
+#include <string.h>
 
 /* What the table holds about a half-edge, while it is built. Triangles are below 2^31. */
 #define NO_RECORD (UINT32_MAX - 1)
@@ -55,9 +56,46 @@ static bool is_near(size_t owner, uint32_t neighbour)
 	return neighbour != EDGE_OPEN && neighbour / EDGE_BLOCK == owner / EDGE_BLOCK;
 }
 
-static bool is_escape(size_t owner, uint32_t neighbour)
+/* The links of a block, as its far records come to them: room for one of each record. */
+struct link_list {
+	unsigned count;
+	uint32_t blocks[3 * EDGE_BLOCK];
+};
+
+/* Where a block is in the list, which it is added to. */
+static unsigned link_to(struct link_list *list, uint32_t block)
 {
-	return neighbour != EDGE_OPEN && neighbour - owner >= EDGE_ESCAPE;
+	unsigned i = 0;
+	while (i < list->count && list->blocks[i] != block)
+		i++;
+	list->blocks[i] = block;
+	list->count += i == list->count;
+	return i;
+}
+
+static size_t block_end(const struct edge_table *table, size_t b)
+{
+	size_t left = table->triangle_count - b * EDGE_BLOCK;
+	return b * EDGE_BLOCK + (left < EDGE_BLOCK ? left : EDGE_BLOCK);
+}
+
+static void count_block(struct edge_table *table, const uint32_t *neighbours, size_t b)
+{
+	struct edge_block *block = &table->blocks[b];
+	struct link_list list = {.count = 0};
+	for (size_t c = 3 * b * EDGE_BLOCK; c < 3 * block_end(table, b); c++) {
+		if (neighbours[c] == NO_RECORD)
+			continue;
+		bool near = is_near(c / 3, neighbours[c]), open = neighbours[c] == EDGE_OPEN;
+		*(near ? &block->near_count : &block->far_count) += 1;
+		if (!near && !open)
+			link_to(&list, neighbours[c] / EDGE_BLOCK);
+		block->open |= open;
+	}
+	block->link_count = (uint8_t)list.count;
+	table->near_count += block->near_count;
+	table->far_count += block->far_count;
+	table->link_count += block->link_count;
 }
 
 static bool reserve_records(struct edge_table *table, const uint32_t *neighbours)
@@ -65,45 +103,55 @@ static bool reserve_records(struct edge_table *table, const uint32_t *neighbours
 	table->blocks = array_zalloc(edge_table_blocks(table), sizeof(*table->blocks));
 	if (table->blocks == NULL)
 		return false;
-	for (size_t c = 0; c < 3 * table->triangle_count; c++) {
-		if (neighbours[c] == NO_RECORD)
-			continue;
-		struct edge_block *block = &table->blocks[c / 3 / EDGE_BLOCK];
-		bool near = is_near(c / 3, neighbours[c]);
-		*(near ? &block->near_count : &block->far_count) += 1;
-		*(near ? &table->near_count : &table->far_count) += 1;
-		table->escape_count += is_escape(c / 3, neighbours[c]);
-	}
+	for (size_t b = 0; b < edge_table_blocks(table); b++)
+		count_block(table, neighbours, b);
 	table->near = array_alloc(table->near_count, sizeof(*table->near));
 	table->far_corners = array_alloc(table->far_count, sizeof(*table->far_corners));
-	table->far_distances = array_alloc(table->far_count, sizeof(*table->far_distances));
-	table->escapes = array_alloc(table->escape_count, sizeof(*table->escapes));
-	return table->near != NULL && table->far_corners != NULL && table->far_distances != NULL &&
-	       table->escapes != NULL;
+	table->far_ends = array_alloc(table->far_count, sizeof(*table->far_ends));
+	table->links = array_alloc(table->link_count, sizeof(*table->links));
+	return table->near != NULL && table->far_corners != NULL && table->far_ends != NULL &&
+	       table->links != NULL;
 }
 
-static void fill_records(struct edge_table *table, const uint32_t *neighbours)
+/* Where the next record and link go. */
+struct edge_writer {
+	uint16_t *near;
+	uint8_t *corner;
+	uint16_t *end;
+	uint32_t *link;
+};
+
+static void fill_block(const struct edge_table *table, const uint32_t *neighbours, size_t b,
+	struct edge_writer *writer)
 {
-	uint16_t *near = table->near, *distance = table->far_distances;
-	uint8_t *corner = table->far_corners;
-	uint32_t *escape = table->escapes;
-	for (size_t c = 0; c < 3 * table->triangle_count; c++) {
+	struct link_list list = {.count = 0};
+	unsigned open = table->blocks[b].link_count;
+	for (size_t c = 3 * b * EDGE_BLOCK; c < 3 * block_end(table, b); c++) {
 		size_t owner = c / 3, k = c % 3;
 		uint32_t neighbour = neighbours[c];
 		if (neighbour == NO_RECORD)
 			continue;
-		size_t place = owner % EDGE_BLOCK + k * EDGE_BLOCK;
+		size_t corner = owner % EDGE_BLOCK + k * EDGE_BLOCK, place = neighbour % EDGE_BLOCK;
 		if (is_near(owner, neighbour)) {
-			*near++ = (uint16_t)(place + neighbour % EDGE_BLOCK * 256);
+			*writer->near++ = (uint16_t)(corner + 256 * place);
 			continue;
 		}
-		*corner++ = (uint8_t)place;
-		*distance++ = neighbour == EDGE_OPEN        ? 0
-			      : is_escape(owner, neighbour) ? EDGE_ESCAPE
-							    : (uint16_t)(neighbour - owner);
-		if (is_escape(owner, neighbour))
-			*escape++ = neighbour;
+		*writer->corner++ = (uint8_t)corner;
+		*writer->end++ =
+			(uint16_t)(neighbour == EDGE_OPEN
+					   ? 256 * open
+					   : 256 * link_to(&list, neighbour / EDGE_BLOCK) + place);
 	}
+	memcpy(writer->link, list.blocks, list.count * sizeof(*list.blocks));
+	writer->link += list.count;
+}
+
+static void fill_records(struct edge_table *table, const uint32_t *neighbours)
+{
+	struct edge_writer writer = {
+		table->near, table->far_corners, table->far_ends, table->links};
+	for (size_t b = 0; b < edge_table_blocks(table); b++)
+		fill_block(table, neighbours, b, &writer);
 }
 
 bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t triangle_count,
@@ -126,8 +174,8 @@ void edge_table_finish(struct edge_table *table)
 	free(table->blocks);
 	free(table->near);
 	free(table->far_corners);
-	free(table->far_distances);
-	free(table->escapes);
+	free(table->far_ends);
+	free(table->links);
 	*table = (struct edge_table){0};
 }
 
@@ -145,30 +193,34 @@ size_t edge_table_bytes(const struct edge_table *table)
 {
 	return edge_table_blocks(table) * sizeof(*table->blocks) +
 	       table->near_count * sizeof(*table->near) +
-	       table->far_count * (sizeof(*table->far_corners) + sizeof(*table->far_distances)) +
-	       table->escape_count * sizeof(*table->escapes);
+	       table->far_count * (sizeof(*table->far_corners) + sizeof(*table->far_ends)) +
+	       table->link_count * sizeof(*table->links);
 }
 
-static struct edge_record record_of(uint32_t owner, unsigned corner, uint32_t neighbour)
+static struct edge_record record_of(size_t first, unsigned corner, uint32_t neighbour)
 {
 	return (struct edge_record){
-		.corner = 3 * (size_t)owner + corner / EDGE_BLOCK,
-		.neighbour = neighbour == owner ? EDGE_OPEN : neighbour,
+		.corner = 3 * (first + corner % EDGE_BLOCK) + corner / EDGE_BLOCK,
+		.neighbour = neighbour,
 	};
 }
 
 void edge_table_decode(const struct edge_table *table, struct edge_record *records)
 {
-	const uint16_t *near = table->near;
-	struct edge_far_reader far = edge_far_reader_of(table);
+	const uint16_t *near = table->near, *end = table->far_ends;
+	const uint8_t *corner = table->far_corners;
+	const uint32_t *links = table->links;
 	for (size_t b = 0; b < edge_table_blocks(table); b++) {
-		uint32_t first = (uint32_t)(b * EDGE_BLOCK), owner, neighbour;
-		for (unsigned i = 0; i < table->blocks[b].near_count; i++, near++)
-			*records++ = record_of(
-				first + *near % EDGE_BLOCK, *near % 256, first + *near / 256);
-		for (unsigned i = 0; i < table->blocks[b].far_count; i++) {
-			uint8_t corner = edge_far_reader_next(&far, first, &owner, &neighbour);
-			*records++ = record_of(owner, corner, neighbour);
+		struct edge_block block = table->blocks[b];
+		size_t first = b * EDGE_BLOCK;
+		for (unsigned i = 0; i < block.near_count; i++, near++)
+			*records++ = record_of(first, *near % 256, (uint32_t)first + *near / 256);
+		for (unsigned i = 0; i < block.far_count; i++, end++) {
+			unsigned link = *end / 256;
+			*records++ = record_of(first, *corner++,
+				link == block.link_count ? EDGE_OPEN
+							 : links[link] * EDGE_BLOCK + *end % 256);
 		}
+		links += block.link_count;
 	}
 }

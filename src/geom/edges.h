@@ -9,14 +9,16 @@
 /** Triangles whose facing fits one word. */
 #define EDGE_BLOCK 64
 
-/** How many records the triangles of a block own. */
+/** What the triangles of a block own. */
 struct edge_block {
-	uint8_t near_count, far_count;
+	uint8_t near_count, far_count; /* records */
+	uint8_t link_count;            /* other blocks that far records lead to */
+	uint8_t open;                  /* 1: one of the far records is open */
 };
 
 /**
- * Which triangles meet where: one record an edge, of 2 or 3 bytes when triangles that meet lie near
- * each other in the index buffer, and of 7 at most.
+ * Which triangles meet where: one record an edge, of 2 bytes when triangles that meet are in the
+ * same block, else of 3 and a share of a link, which has 4.
  *
  * Corner k of triangle t is also a half-edge: from its vertex k to vertex (k + 1) mod 3. Two
  * half-edges between the same two vertices in opposite directions are paired and share one record,
@@ -30,7 +32,8 @@ struct edge_block {
  *
  * Records are kept per block of 64 triangles, by the owner: near ones, whose neighbour is in the
  * same block, and far ones, the open ones among them. The owner's corner is a byte: triangle in the
- * block + 64 k.
+ * block + 64 k. A block's links are the other blocks that its far records lead to, each once: where
+ * all these and the block itself are on one side of a light, nothing of it is on a silhouette.
  */
 struct edge_table {
 	size_t triangle_count;
@@ -38,13 +41,12 @@ struct edge_table {
 	size_t near_count;
 	uint16_t *near; /* owner's corner + 256 * neighbour's place in the block */
 	size_t far_count;
-	uint8_t *far_corners;    /* owner's corner */
-	uint16_t *far_distances; /* neighbour - owner; 0: open; EDGE_ESCAPE: see escapes */
-	size_t escape_count;
-	uint32_t *escapes; /* neighbours too far for a distance, in the far records' order */
+	uint8_t *far_corners; /* owner's corner */
+	uint16_t *far_ends; /* neighbour's place in its block + 256 * that block's among the links;
+			       one behind the last: open */
+	size_t link_count;
+	uint32_t *links; /* blocks */
 };
-
-#define EDGE_ESCAPE UINT16_MAX
 
 /** indices: [3 * triangle_count], each < vertex_count; triangle_count < 2^31. False: out of
  *  memory. */
@@ -55,32 +57,6 @@ void edge_table_finish(struct edge_table *table);
 size_t edge_table_blocks(const struct edge_table *table);
 size_t edge_table_records(const struct edge_table *table);
 size_t edge_table_bytes(const struct edge_table *table);
-
-/** Reads far records in their order. */
-struct edge_far_reader {
-	const uint8_t *corner;
-	const uint16_t *distance;
-	const uint32_t *escape;
-};
-
-static inline struct edge_far_reader edge_far_reader_of(const struct edge_table *table)
-{
-	return (struct edge_far_reader){table->far_corners, table->far_distances, table->escapes};
-}
-
-/** Reads one record of the block that starts with triangle `first`. An open record's neighbour is
- *  the owner itself. */
-static inline uint8_t edge_far_reader_next(
-	struct edge_far_reader *reader, uint32_t first, uint32_t *owner, uint32_t *neighbour)
-{
-	uint8_t corner = *reader->corner++;
-	uint16_t distance = *reader->distance++;
-	*owner = first + corner % EDGE_BLOCK;
-	*neighbour = *owner + distance;
-	if (__builtin_expect(distance == EDGE_ESCAPE, 0))
-		*neighbour = *reader->escape++;
-	return corner;
-}
 
 /** A record as a whole: corner 3 * t + k owns it; neighbour is a triangle, or EDGE_OPEN. */
 struct edge_record {

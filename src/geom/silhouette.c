@@ -136,31 +136,46 @@ void facing_find(const struct caster *caster, const float light[4], uint64_t *fa
 
 /* Room for all records of a block, and for one that is written before it is known to count. */
 #define HITS_MAX (3 * EDGE_BLOCK + 1)
+#define LINKS_MAX (3 * EDGE_BLOCK)
+
+/* One byte per bit, 1 where it is set. */
+static inline void spread_bits(uint64_t word, uint8_t bytes[EDGE_BLOCK])
+{
+	for (int i = 0; i < EDGE_BLOCK; i += 8) {
+		/* Bit j of the eight is kept in byte j alone, and then carried to its top. */
+		uint64_t eight = (word >> i & 0xff) * UINT64_C(0x0101010101010101);
+		eight &= UINT64_C(0x8040201008040201);
+		eight = (eight + UINT64_C(0x7f7f7f7f7f7f7f7f)) >> 7 & UINT64_C(0x0101010101010101);
+		for (int j = 0; j < 8; j++)
+			bytes[i + j] = (uint8_t)(eight >> 8 * j);
+	}
+}
 
 /* Lists the owners' corners of records whose triangles differ, without a branch on whether they do,
  * which no processor can predict. Returns how many. */
-static inline unsigned find_near(
-	uint64_t facing, const uint16_t *near, unsigned count, uint8_t *hits)
+static inline unsigned find_near(const uint8_t facing[EDGE_BLOCK], const uint16_t *restrict near,
+	unsigned count, uint8_t *restrict hits)
 {
 	unsigned found = 0;
 	for (unsigned i = 0; i < count; i++) {
 		unsigned record = near[i];
 		hits[found] = (uint8_t)record;
-		found += (facing >> record % EDGE_BLOCK ^ facing >> record / 256) & 1;
+		found += facing[record % EDGE_BLOCK] ^ facing[record / 256];
 	}
 	return found;
 }
 
-static inline unsigned find_far(const uint64_t *facing, uint32_t first, unsigned count,
-	struct edge_far_reader *reader, uint8_t *hits)
+/* across: the facing of the blocks that the records lead to. */
+static inline unsigned find_far(const uint8_t facing[EDGE_BLOCK], const uint64_t *across,
+	const uint8_t *restrict corners, const uint16_t *restrict ends, unsigned count,
+	uint8_t *restrict hits)
 {
-	uint64_t own = facing[first / EDGE_BLOCK];
 	unsigned found = 0;
 	for (unsigned i = 0; i < count; i++) {
-		uint32_t owner, neighbour;
-		hits[found] = edge_far_reader_next(reader, first, &owner, &neighbour);
-		uint64_t across = facing[neighbour / EDGE_BLOCK] >> neighbour % EDGE_BLOCK;
-		found += (own >> owner % EDGE_BLOCK ^ (across & (neighbour != owner))) & 1;
+		unsigned corner = corners[i], end = ends[i];
+		hits[found] = (uint8_t)corner;
+		found += facing[corner % EDGE_BLOCK] ^
+			 (unsigned)(across[end / 256] >> end % EDGE_BLOCK & 1);
 	}
 	return found;
 }
@@ -175,26 +190,78 @@ static inline struct silhouette_edge edge_at(
 	return (struct silhouette_edge){corners[own ? k : next], corners[own ? next : k]};
 }
 
+/* Fills across with the facing of the blocks that far records lead to, and of none. Returns a word
+ * with a bit set if one of them is not `own` throughout. */
+static inline uint64_t look_across(const uint64_t *facing, struct edge_block block,
+	const uint32_t *links, uint64_t own, uint64_t across[LINKS_MAX + 1])
+{
+	uint64_t differs = block.open ? own : 0;
+	for (unsigned i = 0; i < block.link_count; i++) {
+		across[i] = facing[links[i]];
+		differs |= across[i] ^ own;
+	}
+	across[block.link_count] = 0;
+	return differs;
+}
+
+/* Reads the records of one block after the other. */
+struct edge_reader {
+	const uint16_t *near;
+	const uint8_t *corners;
+	const uint16_t *ends;
+	const uint32_t *links;
+};
+
+static struct edge_reader edge_reader_of(const struct edge_table *table)
+{
+	return (struct edge_reader){table->near, table->far_corners, table->far_ends, table->links};
+}
+
+static inline void skip_block(struct edge_reader *reader, struct edge_block block)
+{
+	reader->near += block.near_count;
+	reader->corners += block.far_count;
+	reader->ends += block.far_count;
+	reader->links += block.link_count;
+}
+
+/* The corners of all records of block b whose triangles differ. */
+static inline unsigned find_in_block(const struct edge_table *table, const uint64_t *facing,
+	size_t b, const struct edge_reader *reader, uint8_t hits[HITS_MAX])
+{
+	struct edge_block block = table->blocks[b];
+	uint64_t own = facing[b], across[LINKS_MAX + 1];
+	bool uniform = own == 0 || own == UINT64_MAX;
+	uint64_t differs = look_across(facing, block, reader->links, own, across);
+	if (uniform && differs == 0)
+		return 0;
+	uint8_t bytes[EDGE_BLOCK];
+	spread_bits(own, bytes);
+	unsigned found = uniform ? 0 : find_near(bytes, reader->near, block.near_count, hits);
+	return found + find_far(bytes, across, reader->corners, reader->ends, block.far_count,
+			       &hits[found]);
+}
+
+static void write_edges(const struct caster *caster, uint64_t facing, size_t b, const uint8_t *hits,
+	size_t count, struct silhouette_edge *edges)
+{
+	for (size_t i = 0; i < count; i++)
+		edges[i] = edge_at(caster->indices, facing, (uint32_t)(b * EDGE_BLOCK), hits[i]);
+}
+
 size_t silhouette_find(const struct caster *caster, const uint64_t *facing,
 	struct silhouette_edge *edges, size_t capacity)
 {
 	const struct edge_table *table = &caster->edges;
-	const uint16_t *near = table->near;
-	struct edge_far_reader far = edge_far_reader_of(table);
+	struct edge_reader reader = edge_reader_of(table);
 	size_t count = 0;
 	for (size_t b = 0; b < edge_table_blocks(table); b++) {
-		struct edge_block block = table->blocks[b];
-		uint32_t first = (uint32_t)(b * EDGE_BLOCK);
 		uint8_t hits[HITS_MAX];
-		unsigned found = 0;
-		/* In a block that faces one way throughout, no near record can differ. */
-		if (facing[b] != 0 && facing[b] != UINT64_MAX)
-			found = find_near(facing[b], near, block.near_count, hits);
-		near += block.near_count;
-		found += find_far(facing, first, block.far_count, &far, &hits[found]);
-		for (unsigned i = 0; i < found; i++, count++)
-			if (count < capacity)
-				edges[count] = edge_at(caster->indices, facing[b], first, hits[i]);
+		size_t found = find_in_block(table, facing, b, &reader, hits);
+		size_t room = count < capacity ? capacity - count : 0;
+		write_edges(caster, facing[b], b, hits, found < room ? found : room, edges + count);
+		count += found;
+		skip_block(&reader, table->blocks[b]);
 	}
 	return count;
 }
