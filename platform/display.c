@@ -187,7 +187,8 @@ bool display_wants_frame(const struct display *display, bool changed)
 	return has_output(display) && seat_is_active(display->seat) && !display->lost_master &&
 	       !display->flip_pending && (changed || display->stale) &&
 	       display_now() >= display->not_before &&
-	       (display->async_works || display_now() >= display_clock_next(&display->clock));
+	       ((display->async_works && display->clock.kept == 0) ||
+		       display_now() >= display_clock_next(&display->clock));
 }
 
 static void limit(int64_t *time, int64_t other)

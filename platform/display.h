@@ -71,6 +71,10 @@ bool display_begin(struct display *display, struct display_target *target, struc
  *  turned picture, rows from the bottom. A frame that could not be shown is asked for again. */
 bool display_end(struct display *display, const uint8_t *rgba, struct sm_error *error);
 
+/** Instead of a frame, after display_wants_frame() was true by a change alone: what is shown is
+ * right at the tick of the next frame as well. No other is wanted before that is over. */
+void display_keep(struct display *display);
+
 /** The vertical blank, counted from that of the first frame, at which the next frame will be shown
  *  if it is drawn in time. */
 uint64_t display_tick(const struct display *display);

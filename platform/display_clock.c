@@ -35,13 +35,23 @@ uint64_t display_clock_flip(struct display_clock *clock, bool waits, int64_t tim
 		clock->time = clock->started ? clock->time + (int64_t)steps * period : time;
 	}
 	clock->tick += steps;
+	clock->kept = 0;
 	clock->waits = waits;
 	clock->started = true;
 	return steps;
 }
 
+void display_clock_keep(struct display_clock *clock, int64_t now)
+{
+	int64_t passed = (now - clock->time) / display_clock_period(clock);
+	clock->kept++;
+	if (passed > (int64_t)clock->kept)
+		clock->kept = (uint64_t)passed;
+}
+
 int64_t display_clock_next(const struct display_clock *clock)
 {
-	return clock->waits || !clock->started ? clock->time
-					       : clock->time + display_clock_period(clock);
+	int64_t period = display_clock_period(clock);
+	int64_t kept = (int64_t)clock->kept * period;
+	return clock->time + kept + (clock->waits || !clock->started ? 0 : period);
 }

@@ -13,7 +13,8 @@
  */
 struct display_clock {
 	struct refresh refresh;
-	uint64_t tick; /* of the frame that is shown */
+	uint64_t tick; /* of the frame that is shown, from which on */
+	uint64_t kept; /* so many ticks more it stays */
 	int64_t time;  /* ns of the monotonic clock at which the tick was */
 	bool started;
 	bool waits; /* the driver waits for vertical blanks; virtual ones do not */
@@ -25,6 +26,9 @@ void display_clock_set_refresh(struct display_clock *clock, struct refresh refre
 /** A frame has appeared. waits: the driver has waited for a vertical blank to show it. Returns the
  *  ticks since the frame before, 0 for the first. */
 uint64_t display_clock_flip(struct display_clock *clock, bool waits, int64_t time);
+
+/** The frame that is shown stays for the next tick too, and for those that are over by `now`. */
+void display_clock_keep(struct display_clock *clock, int64_t now);
 
 /** Length of a tick, ns. */
 int64_t display_clock_period(const struct display_clock *clock);

@@ -8,9 +8,10 @@ void display_flip_done(struct display *display, bool waited, int64_t time)
 {
 	/* The first blank after something else is not a period away. */
 	bool comparable = waited == display->clock.waits;
+	uint64_t kept = display->clock.kept;
 	uint64_t steps = display_clock_flip(&display->clock, waited, time);
-	if (comparable && display->flip_follows && !display->flip_sets_mode && steps > 1)
-		display->stats.missed += steps - 1;
+	if (comparable && display->flip_follows && !display->flip_sets_mode && steps > 1 + kept)
+		display->stats.missed += steps - 1 - kept;
 	display->stats.flips++;
 	display->flip_pending = false;
 	/* A frame of a swapchain that was retired meanwhile is 0: it stays on the screen. */

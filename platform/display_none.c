@@ -52,6 +52,11 @@ bool display_end(struct display *display, const uint8_t *rgba, struct sm_error *
 	return refuse(error);
 }
 
+void display_keep(struct display *display)
+{
+	(void)display;
+}
+
 uint64_t display_tick(const struct display *display)
 {
 	(void)display;

@@ -30,5 +30,11 @@ void display_lose_master(struct display *display)
 
 uint64_t display_tick(const struct display *display)
 {
-	return display->clock.started ? display->clock.tick + 1 : 0;
+	const struct display_clock *clock = &display->clock;
+	return clock->started ? clock->tick + 1 + clock->kept : 0;
+}
+
+void display_keep(struct display *display)
+{
+	display_clock_keep(&display->clock, display_now());
 }

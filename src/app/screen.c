@@ -81,17 +81,29 @@ static bool read_pixels(const struct screen *screen, struct sm_error *error)
 		       code);
 }
 
+static struct sm_view view_of(const struct screen *screen, const struct stage *stage)
+{
+	return (struct sm_view){
+		.camera = stage->camera,
+		.framebuffer = screen->target.framebuffer,
+		.width = screen->wanted.width,
+		.height = screen->wanted.height,
+		.visibility_of = SM_NONE,
+	};
+}
+
+bool screen_is_current(
+	const struct screen *screen, struct sm_renderer *renderer, const struct stage *stage)
+{
+	struct sm_view view = view_of(screen, stage);
+	return sm_renderer_is_current(renderer, stage->scene, &view);
+}
+
 bool screen_draw(struct screen *screen, struct sm_renderer *renderer, const struct stage *stage,
 	struct sm_error *error)
 {
 	const struct display_target *wanted = &screen->wanted;
-	struct sm_view view = {
-		.camera = stage->camera,
-		.framebuffer = screen->target.framebuffer,
-		.width = wanted->width,
-		.height = wanted->height,
-		.visibility_of = SM_NONE,
-	};
+	struct sm_view view = view_of(screen, stage);
 	struct sm_screen copy = {
 		.texture = screen->target.texture,
 		.width = wanted->width,

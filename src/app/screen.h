@@ -24,6 +24,10 @@ bool screen_fit(struct screen *screen, const struct display_target *wanted, stru
 bool screen_draw(struct screen *screen, struct sm_renderer *renderer, const struct stage *stage,
 	struct sm_error *error);
 
+/** Whether screen_draw() would draw what it drew last. */
+bool screen_is_current(
+	const struct screen *screen, struct sm_renderer *renderer, const struct stage *stage);
+
 /** Deletes what is there; needs the context. */
 void screen_finish(struct screen *screen);
 

@@ -246,16 +246,35 @@ static bool make_renderer(struct show *show, struct sm_error *error)
 	return sm_renderer_set_shadows(show->renderer, &show->stage.shadow, error);
 }
 
-static bool draw_frame(struct show *show, struct sm_error *error)
+static bool set_time(struct show *show, struct sm_error *error)
 {
-	struct display_target wanted;
 	uint32_t numerator, denominator;
 	display_get_refresh(show->display, &numerator, &denominator);
 	/* The frames of motion_time() count from 1. */
 	double seconds = motion_time(display_tick(show->display) + 1, numerator, denominator);
+	return stage_set_time(&show->stage, seconds, error);
+}
+
+/* Whether the screen shows the stage as it is. */
+static bool is_shown(const struct show *show)
+{
+	return show->renderer != NULL && show->options->frames == 0 &&
+	       !display_wants_frame(show->display, false) &&
+	       screen_is_current(&show->screen, show->renderer, &show->stage);
+}
+
+static bool draw_frame(struct show *show, struct sm_error *error)
+{
+	struct display_target wanted;
+	if (!set_time(show, error))
+		return false;
+	if (is_shown(show)) {
+		display_keep(show->display);
+		return true;
+	}
+	/* Another size sets the stage back. */
 	return display_begin(show->display, &wanted, error) && make_renderer(show, error) &&
-	       screen_fit(&show->screen, &wanted, &show->stage, error) &&
-	       stage_set_time(&show->stage, seconds, error) &&
+	       screen_fit(&show->screen, &wanted, &show->stage, error) && set_time(show, error) &&
 	       screen_draw(&show->screen, show->renderer, &show->stage, error) &&
 	       display_end(show->display, show->screen.pixels, error);
 }

@@ -51,6 +51,30 @@ static void a_moving_picture_is_shown_at_every_vertical_blank(void **state)
 	}
 }
 
+/* Where nothing moves for some ticks there is no frame, nor is one missed. */
+static void a_pausing_picture_is_shown_when_it_moves(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < 2 * KINDS; i++) {
+		struct viewer viewer;
+		struct display_stats stats;
+		struct display_options options = {.async = i >= KINDS};
+		fake_world_reset();
+		fake_drm_init(0, &kinds[i % KINDS]);
+		viewer_start(&viewer, &options);
+		viewer.moves = true;
+		viewer.pause = 4;
+		viewer_run(&viewer, SECOND);
+		display_get_stats(viewer.display, &stats);
+		assert_in_range(stats.flips, 15, 17);
+		assert_in_range(viewer.kept, 43, 47);
+		assert_in_range(display_tick(viewer.display), 59, 62);
+		assert_int_equal(stats.missed, 0);
+		viewer_run(&viewer, SECOND / 10);
+		viewer_assert_leaves_nothing(&viewer);
+	}
+}
+
 static void a_still_picture_is_shown_once(void **state)
 {
 	(void)state;
@@ -384,6 +408,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		viewer_test(a_moving_picture_is_shown_at_every_vertical_blank),
+		viewer_test(a_pausing_picture_is_shown_when_it_moves),
 		viewer_test(a_still_picture_is_shown_once),
 		viewer_test(between_looks_there_is_not_one_call),
 		viewer_test(the_picture_is_turned_by_the_plane_where_it_can),

@@ -44,6 +44,27 @@ static void a_slow_display_misses_no_blank(void **state)
 	assert_int_equal(clock.tick, 1000);
 }
 
+static void what_is_kept_is_counted(void **state)
+{
+	(void)state;
+	for (int waits = 0; waits < 2; waits++) {
+		struct display_clock clock = clock_of(100);
+		int64_t first = START + (waits ? 0 : 10 * MS);
+		display_clock_flip(&clock, waits, START);
+		for (int i = 1; i <= 5; i++) {
+			display_clock_keep(&clock, START);
+			assert_int_equal(clock.kept, i);
+			assert_int_equal(display_clock_next(&clock), first + i * 10 * MS);
+		}
+		/* A pause leaves ticks out. */
+		display_clock_keep(&clock, START + 1000 * MS);
+		assert_int_equal(clock.kept, 100);
+		assert_int_equal(display_clock_flip(&clock, waits, START + 1010 * MS), 101);
+		assert_int_equal(clock.kept, 0);
+		assert_int_equal(clock.tick, 101);
+	}
+}
+
 static void without_blanks_nothing_is_lost(void **state)
 {
 	(void)state;
@@ -117,6 +138,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(blanks_are_counted_by_their_times),
 		cmocka_unit_test(a_slow_display_misses_no_blank),
+		cmocka_unit_test(what_is_kept_is_counted),
 		cmocka_unit_test(without_blanks_nothing_is_lost),
 		cmocka_unit_test(drawing_does_not_slow_the_clock),
 		cmocka_unit_test(frames_that_do_not_wait_advance_it_too),

@@ -84,14 +84,27 @@ static bool draw_frame(struct viewer *viewer)
 	return display_end(viewer->display, viewer->rgba, &viewer->error);
 }
 
+/* Between two moves. */
+static bool is_shown(const struct viewer *viewer)
+{
+	return viewer->pause > 0 && display_tick(viewer->display) % viewer->pause != 0 &&
+	       !display_wants_frame(viewer->display, false);
+}
+
 static bool step(struct viewer *viewer, int64_t end)
 {
 	struct pollfd fds[DISPLAY_POLL_MAX];
 	int64_t timeout, left = end - fake_world.now;
 	if (!display_update(viewer->display, &viewer->error))
 		return false;
-	if (display_wants_frame(viewer->display, viewer->moves))
+	bool wanted = display_wants_frame(viewer->display, viewer->moves);
+	if (wanted && !is_shown(viewer))
 		return draw_frame(viewer);
+	if (wanted) {
+		viewer->kept++;
+		display_keep(viewer->display);
+		return true;
+	}
 	size_t count = display_poll(viewer->display, fds, &timeout);
 	if (timeout < 0 || timeout > left)
 		timeout = left;

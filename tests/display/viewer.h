@@ -8,8 +8,10 @@
 /** A program that shows made-up pictures on the fake devices, as "smoothie show" does. */
 struct viewer {
 	struct display *display;
-	bool moves; /* every frame is another picture */
-	bool ended; /* by *error */
+	bool moves;     /* every frame is another picture */
+	unsigned pause; /* it moves once in so many ticks; 0: in each */
+	unsigned kept;  /* ticks between that it was told to do without a frame */
+	bool ended;     /* by *error */
 	struct sm_error error;
 	unsigned picture; /* number of the one that is wanted */
 	unsigned drawn;   /* frames */
