@@ -38,33 +38,42 @@ static void find_corner(mat4 m, const int s[3], vec3 corner)
 
 void view_volume_init(struct view_volume *volume, mat4 world_to_clip)
 {
-	glm_mat4_copy(world_to_clip, volume->world_to_clip);
+	vec4 *m = world_to_clip;
 	for (int i = 0; i < 8; i++) {
 		const int s[3] = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
-		find_corner(volume->world_to_clip, s, volume->corners[i]);
+		find_corner(m, s, volume->corners[i]);
+	}
+	/* w + p[axis] >= 0 or w - p[axis] >= 0 of clip space. */
+	for (int side = 0; side < 6; side++) {
+		int axis = side / 2;
+		float sign = side % 2 ? -1.0f : 1.0f;
+		for (int column = 0; column < 4; column++)
+			volume->sides[side][column] =
+				(1.0f + WIDENING) * m[column][3] + sign * m[column][axis];
+		volume->sides[side][3] += ROUNDING * (fabsf(m[3][3]) + fabsf(m[3][axis]));
 	}
 }
 
-/* How far inside one of six sides of the view a point is: w + p[axis] or w - p[axis] of clip space.
- */
-static float inside_view(mat4 world_to_clip, vec3 p, int side)
+/* A convex part of space: what is on the positive side of planes. */
+struct solid {
+	const vec4 *sides;
+	int side_count;
+	const vec3 *corners; /* where three sides meet */
+	int corner_count;
+};
+
+static float inside_of(const float side[4], const float p[3])
 {
-	vec4 clip;
-	glm_mat4_mulv(world_to_clip, (vec4){p[0], p[1], p[2], 1.0f}, clip);
-	float along = side % 2 == 0 ? clip[side / 2] : -clip[side / 2];
-	float slack = ROUNDING * (fabsf(world_to_clip[3][3]) + fabsf(world_to_clip[3][side / 2]));
-	return (1.0f + WIDENING) * clip[3] + along + slack;
+	return side[0] * p[0] + side[1] * p[1] + side[2] * p[2] + side[3];
 }
 
-/* Keeps what of a convex polygon is inside one side of the view (Sutherland & Hodgman 1974). */
-static int clip_face(
-	mat4 world_to_clip, int side, vec3 *corners, int count, vec3 clipped[FACE_CORNERS_MAX])
+/* Keeps what of a convex polygon is inside a plane (Sutherland & Hodgman 1974). */
+static int clip_face(const float side[4], vec3 *corners, int count, vec3 clipped[FACE_CORNERS_MAX])
 {
 	int kept = 0;
 	for (int i = 0; i < count && kept + 2 <= FACE_CORNERS_MAX; i++) {
 		float *p = corners[i], *q = corners[(i + 1) % count];
-		float inside_p = inside_view(world_to_clip, p, side);
-		float inside_q = inside_view(world_to_clip, q, side);
+		float inside_p = inside_of(side, p), inside_q = inside_of(side, q);
 		if (inside_p >= 0.0f)
 			glm_vec3_copy(p, clipped[kept++]);
 		/* One is below 0 and the other is not: the divisor is neither's 0. */
@@ -74,9 +83,9 @@ static int clip_face(
 	return kept;
 }
 
-/* What of one face of a box is seen; returns the number of corners. */
-static int see_face(const struct view_volume *volume, const struct object *object, int face,
-	vec3 seen[FACE_CORNERS_MAX])
+/* What of one face of an object's box is in a solid; returns the number of corners. */
+static int cut_face(const struct solid *solid, const struct object *object, int face,
+	vec3 part[FACE_CORNERS_MAX])
 {
 	vec3 corners[2][FACE_CORNERS_MAX];
 	int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, count = 4;
@@ -85,11 +94,11 @@ static int see_face(const struct view_volume *volume, const struct object *objec
 		corners[0][i][u] = i == 1 || i == 2 ? object->max[u] : object->min[u];
 		corners[0][i][v] = i >= 2 ? object->max[v] : object->min[v];
 	}
-	for (int side = 0; side < 6 && count > 0; side++)
-		count = clip_face((vec4 *)volume->world_to_clip, side, corners[side % 2], count,
-			corners[1 - side % 2]);
+	for (int side = 0; side < solid->side_count && count > 0; side++)
+		count = clip_face(
+			solid->sides[side], corners[side % 2], count, corners[1 - side % 2]);
 	for (int i = 0; i < count; i++)
-		glm_vec3_copy(corners[0][i], seen[i]);
+		glm_vec3_copy(corners[solid->side_count % 2][i], part[i]);
 	return count;
 }
 
@@ -105,48 +114,52 @@ static bool is_in_box(const struct object *object, const float p[3])
 	return true;
 }
 
-/* Corners of the convex part of an object's box that is seen: of its faces, and of the view, where
- * they lie in the box. Returns their number. */
-static int see_box(
-	const struct view_volume *volume, const struct object *object, vec3 seen[PART_CORNERS_MAX])
+/* Corners of the convex part of an object's box that is in a solid: of the box's faces, and of the
+ * solid, where they lie in the box. Returns their number. */
+static int cut_box(
+	const struct solid *solid, const struct object *object, vec3 part[PART_CORNERS_MAX])
 {
 	int count = 0;
 	for (int face = 0; face < 6; face++)
-		count += see_face(volume, object, face, &seen[count]);
-	for (int i = 0; i < 8; i++)
-		if (is_in_box(object, volume->corners[i]))
-			glm_vec3_copy((float *)volume->corners[i], seen[count++]);
+		count += cut_face(solid, object, face, &part[count]);
+	for (int i = 0; i < solid->corner_count; i++)
+		if (is_in_box(object, solid->corners[i]))
+			glm_vec3_copy((float *)solid->corners[i], part[count++]);
 	return count;
 }
 
-/* How far a point is beside one of the cone's four sides, made flat, or behind the light. */
-static float beside_cone(const struct light_frame *frame, float slope, vec3 p, int side)
+/* Whether the part of an object's box that is in one solid is beside one side of the other. */
+static bool are_apart(const struct solid *a, const struct solid *b, const struct object *object)
 {
-	vec3 at;
-	glm_mat4_mulv3((vec4 *)frame->world_to_light, p, 1.0f, at);
-	if (side == 4)
-		return -at[2];
-	float along = side % 2 == 0 ? at[side / 2] : -at[side / 2];
-	return along - (1.0f + WIDENING) * slope * at[2];
-}
-
-/* Whether all points are beside one of its sides: then what is between them is. */
-static bool misses_cone(
-	const struct sm_light_desc *light, const struct light_frame *frame, vec3 *points, int count)
-{
-	float slope = tanf(glm_rad(light->angle) / 2.0f);
-	float start = glm_vec3_norm_inf((float *)light->position);
-	for (int side = 0; side < 5; side++) {
+	vec3 points[PART_CORNERS_MAX];
+	int count = cut_box(a, object, points);
+	for (int side = 0; side < b->side_count; side++) {
 		bool all = true;
-		for (int i = 0; i < count && all; i++) {
-			float slack =
-				ROUNDING * (1.0f + slope) * (start + glm_vec3_norm_inf(points[i]));
-			all = beside_cone(frame, slope, points[i], side) > slack;
-		}
+		for (int i = 0; i < count && all; i++)
+			all = inside_of(b->sides[side], points[i]) < 0.0f;
 		if (all)
 			return true;
 	}
-	return false;
+	return count == 0;
+}
+
+/* The planes of a spot's cone, made flat, and the one through the light. size: of coordinates. */
+static void cone_sides(const struct sm_light_desc *light, const struct light_frame *frame,
+	float size, vec4 sides[5])
+{
+	const vec4 *m = frame->world_to_light;
+	float slope = (1.0f + WIDENING) * tanf(glm_rad(light->angle) / 2.0f);
+	float start = glm_vec3_norm_inf((float *)light->position);
+	float slack = ROUNDING * (1.0f + slope) * (start + size);
+	for (int side = 0; side < 5; side++) {
+		int axis = side / 2;
+		float along = side == 4 ? 0.0f : side % 2 ? -1.0f : 1.0f;
+		for (int column = 0; column < 4; column++)
+			sides[side][column] =
+				side == 4 ? m[column][2]
+					  : slope * m[column][2] + along * m[column][axis];
+		sides[side][3] += slack;
+	}
 }
 
 /* Illuminance at the nearest point of a box, or a bound on it, of a light of intensity 1. */
@@ -177,10 +190,16 @@ static float brightest_of(const float color[3])
 static bool may_show(const struct sm_light_desc *light, const struct light_frame *frame,
 	const struct object *object, const struct view_volume *volume)
 {
-	vec3 points[PART_CORNERS_MAX];
-	int count = see_box(volume, object, points);
-	return count > 0 &&
-	       (light->type == SM_LIGHT_DIRECTIONAL || !misses_cone(light, frame, points, count));
+	static const struct solid all;
+	const struct solid view = {volume->sides, 6, volume->corners, 8};
+	vec4 sides[5];
+	if (light->type == SM_LIGHT_DIRECTIONAL)
+		return !are_apart(&view, &all, object);
+	float size = fmaxf(
+		glm_vec3_norm_inf((float *)object->min), glm_vec3_norm_inf((float *)object->max));
+	cone_sides(light, frame, size, sides);
+	const struct solid cone = {sides, 5, (const vec3 *)&light->position, 1};
+	return !are_apart(&view, &cone, object) && !are_apart(&cone, &view, object);
 }
 
 float light_brightest(const struct sm_light_desc *light, const struct light_frame *frame,

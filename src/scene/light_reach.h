@@ -6,7 +6,7 @@
 
 /** The part of space that a camera sees. */
 struct view_volume {
-	mat4 world_to_clip;
+	vec4 sides[6];   /* planes, positive inside; a bit wide */
 	vec3 corners[8]; /* NaN where there is none */
 };
 
