@@ -94,6 +94,17 @@ static void move_object(struct run *run)
 	assert_true(sm_scene_set_transform(run->scene, below(run, run->objects), transform, NULL));
 }
 
+/* Another block, of the same mesh. */
+static void bend_cube(struct run *run)
+{
+	float positions[8][3];
+	for (int i = 0; i < 8; i++)
+		for (int axis = 0; axis < 3; axis++)
+			positions[i][axis] =
+				(i >> axis & 1 ? 1.0f : -1.0f) + between(run, -0.5f, 0.5f);
+	assert_true(sm_scene_set_vertices(run->scene, run->meshes[0], positions[0], NULL, NULL));
+}
+
 /* Mostly above the scene, at times far aside, so that its screen misses some objects. */
 static struct sm_light_desc random_light(struct run *run)
 {
@@ -198,7 +209,9 @@ static void change(struct run *run)
 		set_shadows(run);
 	else if (what < 78)
 		set_environment(run);
-	else if (what < 82)
+	else if (what < 84)
+		bend_cube(run);
+	else if (what < 88)
 		run->visibility_of = below(run, 2) == 0 ? SM_NONE : below(run, run->lights);
 }
 
