@@ -7,11 +7,9 @@ struct objects_age objects_age(const struct sm_scene *scene, bool casters_only)
 	struct objects_age age = {0};
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
-		uint64_t mesh = scene->meshes[object->mesh].version;
 		if (casters_only && !object->casts)
 			continue;
-		uint64_t newest = object->version > mesh ? object->version : mesh;
-		age.newest = newest > age.newest ? newest : age.newest;
+		age.newest = object->version > age.newest ? object->version : age.newest;
 		age.count++;
 	}
 	return age;

@@ -8,7 +8,7 @@
 /** How new a set of objects is: neither number is as before once one of them, or its mesh, has
  *  changed, or one has come or gone. */
 struct objects_age {
-	uint64_t newest; /* version */
+	uint64_t newest; /* version of an object, which is that of its mesh too */
 	size_t count;
 };
 
