@@ -160,6 +160,8 @@ bool shadow_set_init(struct shadow_set *set, const struct sm_shadow_options *opt
 
 static void shadow_destroy(struct shadow_set *set, struct gpu *gpu, struct light_shadow *shadow)
 {
+	if (shadow == NULL)
+		return;
 	if (shadow->state != NULL)
 		set->technique->finish(shadow->state, gpu);
 	free(shadow->state);
@@ -177,14 +179,16 @@ void shadow_set_finish(struct shadow_set *set, struct gpu *gpu)
 void shadow_set_forget(struct shadow_set *set)
 {
 	for (size_t i = 0; i < set->count; i++)
-		set->shadows[i]->drawn = false;
+		if (set->shadows[i] != NULL)
+			set->shadows[i]->drawn = false;
 }
 
 size_t shadow_set_geometry_bytes(const struct shadow_set *set)
 {
 	size_t bytes = 0;
 	for (size_t i = 0; i < set->count && set->technique->geometry_bytes != NULL; i++)
-		bytes += set->technique->geometry_bytes(set->shadows[i]->state);
+		if (set->shadows[i] != NULL)
+			bytes += set->technique->geometry_bytes(set->shadows[i]->state);
 	return bytes;
 }
 
@@ -201,13 +205,22 @@ static bool choose_map_flags(struct shadow_set *set, struct gpu *gpu, struct sm_
 	return true;
 }
 
-static bool add_shadow(struct shadow_set *set, struct gpu *gpu, struct sm_error *error)
+/* Makes room for shadow number `index`, which is NULL if there was none. */
+static bool reserve_shadow(struct shadow_set *set, size_t index)
+{
+	if (!array_reserve(
+		    (void **)&set->shadows, &set->capacity, index + 1, sizeof(*set->shadows)))
+		return false;
+	for (; set->count <= index; set->count++)
+		set->shadows[set->count] = NULL;
+	return true;
+}
+
+static bool add_shadow(
+	struct shadow_set *set, struct gpu *gpu, size_t index, struct sm_error *error)
 {
 	if (!choose_map_flags(set, gpu, error))
 		return false;
-	if (!array_reserve(
-		    (void **)&set->shadows, &set->capacity, set->count + 1, sizeof(*set->shadows)))
-		return error_no_memory(error);
 	struct light_shadow *shadow = calloc(1, sizeof(*shadow));
 	if (shadow == NULL)
 		return error_no_memory(error);
@@ -219,7 +232,7 @@ static bool add_shadow(struct shadow_set *set, struct gpu *gpu, struct sm_error 
 		shadow_destroy(set, gpu, shadow);
 		return false;
 	}
-	set->shadows[set->count++] = shadow;
+	set->shadows[index] = shadow;
 	return true;
 }
 
@@ -237,9 +250,12 @@ struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,
 	const struct shadow_request *request, struct sm_error *error)
 {
 	const struct technique *technique = set->technique;
-	while (set->count <= request->index)
-		if (!add_shadow(set, gpu, error))
-			return NULL;
+	if (!reserve_shadow(set, request->index)) {
+		error_no_memory(error);
+		return NULL;
+	}
+	if (set->shadows[request->index] == NULL && !add_shadow(set, gpu, request->index, error))
+		return NULL;
 	struct light_shadow *shadow = set->shadows[request->index];
 	struct light_key key =
 		light_key_of(technique, request->local, request->frame, request->view);
@@ -256,6 +272,7 @@ struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,
 
 void shadow_set_leave(struct shadow_set *set, size_t index)
 {
-	if (index < set->count && set->technique->leave != NULL)
+	bool there = index < set->count && set->shadows[index] != NULL;
+	if (there && set->technique->leave != NULL)
 		set->technique->leave(set->shadows[index]->state);
 }

@@ -19,7 +19,7 @@ struct shadow_set {
 	const struct technique *technique;
 	uint64_t map_flags; /* of PROGRAM_SURFACE, where the shadow map alone will do */
 	struct sm_shadow_options options; /* complete; .technique is not used */
-	struct light_shadow **shadows;    /* each and all owned */
+	struct light_shadow **shadows;    /* each and all owned; NULL: not needed so far */
 	size_t count, capacity;
 };
 

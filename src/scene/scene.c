@@ -288,6 +288,8 @@ bool sm_scene_add_light(struct sm_scene *scene, const struct sm_light_desc *desc
 
 void sm_scene_set_environment(struct sm_scene *scene, const struct sm_environment *environment)
 {
+	if (memcmp(&scene->environment, environment, sizeof(*environment)) == 0)
+		return;
 	scene->environment = *environment;
 	scene_next_version(scene);
 }
