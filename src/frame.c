@@ -44,7 +44,7 @@ static void choose_light(struct surface_pass *pass, uint32_t index, struct shado
 	/* Whose space is that of the surfaces even so: rounding is the same then. */
 	pass->light = light->left_out ? NULL : &pass->scene->lights[index].desc;
 	pass->frame = &light->frame;
-	pass->shadow = light->shadow;
+	pass->shadow = light->left_out ? NULL : light->shadow;
 	pass->cells = light->sparse ? &light->cells : NULL;
 }
 

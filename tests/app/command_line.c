@@ -118,6 +118,9 @@ static const struct {
 		{"render", CYLINDER, "--caps", "-min_rg16f", "--path", "smoothie=rg16f"}},
 	{2, "--path needs NEED=WAY", {"show", CYLINDER, "--path"}},
 	{2, "--caps needs -NAME,+NAME", {"bench", "--caps"}},
+	{2, "no skip \"nothing\"; there are: all frame light",
+		{"render", CYLINDER, "--no-skip", "light", "--no-skip", "nothing"}},
+	{2, "--no-skip needs NAME", {"show", "--no-skip"}},
 
 	{2, "unknown flag --size", {"info", "--size", "3x3"}},
 	{2, "missing.obj", {"info", "missing.obj"}},
