@@ -99,11 +99,6 @@ static void placement_at(
 	find_transform(plan, seconds, placement->transform);
 }
 
-void actor_placement(const struct actor *actor, struct model_placement *placement)
-{
-	placement_at(actor, 0, placement);
-}
-
 /* The clip's time counts from 0 at the scene's. */
 static void find_pose(struct actor *actor, double seconds)
 {
@@ -139,6 +134,34 @@ void actor_grow_box(struct actor *actor, bool casters_only, float box[2][3])
 		model_grow_box(actor->model, has_rig(actor) ? &actor->pose : NULL, &placement,
 			casters_only, box);
 	}
+	find_pose(actor, 0);
+}
+
+void actor_node_transform(const struct actor *actor, uint32_t node, double seconds, mat4 transform)
+{
+	struct model_placement placement;
+	mat4 inner;
+	placement_at(actor, seconds, &placement);
+	memcpy(transform, placement.transform, sizeof(placement.transform));
+	if (!has_rig(actor))
+		return;
+	memcpy(inner, actor->pose.nodes[node], sizeof(inner));
+	glm_mat4_mul(transform, inner, transform);
+}
+
+void actor_rest_transform(const struct actor *actor, uint32_t node, mat4 transform)
+{
+	struct model_placement placement;
+	mat4 rest;
+	rig_node_rest(&actor->model->rig, node, rest);
+	if (matrix_invert(rest, rest)) {
+		actor_node_transform(actor, node, 0, transform);
+		glm_mat4_mul(transform, rest, transform);
+		return;
+	}
+	/* A node without size: nobody can tell where things are in it. */
+	placement_at(actor, 0, &placement);
+	memcpy(transform, placement.transform, sizeof(placement.transform));
 }
 
 static bool is_animated(const struct actor *actor)

@@ -4,6 +4,7 @@
 
 #include "load/model.h"
 #include "load/plan.h"
+#include <cglm/cglm.h>
 
 /** An object of a plan, and what shows it in a scene. */
 struct actor {
@@ -23,15 +24,18 @@ bool actor_init(struct actor *actor, const struct plan_object *plan, struct mode
 /** Fine on a zeroed one. */
 void actor_finish(struct actor *actor);
 
-/** Where the model comes to be at time 0. */
-void actor_placement(const struct actor *actor, struct model_placement *placement);
-
 /** Adds the model to a scene, as it is at time 0. */
 bool actor_place(
 	struct actor *actor, const char *name, struct sm_scene *scene, struct sm_error *error);
 
 /** As model_grow_box(), at time 0; of an animation around all that it does there. */
 void actor_grow_box(struct actor *actor, bool casters_only, float box[2][3]);
+
+/** From the space of a node of the model's rig, or of the model where it has none, to the world at
+ *  a time: 0, or that which was set last. */
+void actor_node_transform(const struct actor *actor, uint32_t node, double seconds, mat4 transform);
+/** From the model's space at rest to the world at time 0, for what goes with a node. */
+void actor_rest_transform(const struct actor *actor, uint32_t node, mat4 transform);
 
 bool actor_moves(const struct actor *actor);
 /** Puts it where it is at a time, which is finite. Fails (INPUT) where that is too far for

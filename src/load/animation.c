@@ -2,10 +2,28 @@
 #include "load/animation.h"
 #include "base/array.h"
 #include "base/error.h"
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+bool matrix_invert(mat4 matrix, mat4 inverse)
+{
+	glm_mat4_inv(matrix, inverse);
+	for (int i = 0; i < 16; i++)
+		if (!isfinite(inverse[i / 4][i % 4]))
+			return false;
+	return true;
+}
+
+void rig_node_rest(const struct rig *rig, uint32_t node, mat4 transform)
+{
+	glm_mat4_identity(transform);
+	for (; node < rig->node_count; node = rig->nodes[node].parent) {
+		mat4 local;
+		memcpy(local, rig->nodes[node].local, sizeof(local));
+		glm_mat4_mul(local, transform, transform);
+	}
+}
 
 static size_t most_bones(const struct rig *rig)
 {

@@ -2,6 +2,7 @@
 #ifndef LOAD_ANIMATION_H
 #define LOAD_ANIMATION_H
 
+#include <cglm/cglm.h>
 #include <smoothie.h>
 
 /** Values at times. Between two keys a value changes evenly, before the first and after the last it
@@ -82,6 +83,12 @@ struct rig {
 	size_t clip_count;
 };
 
+/** False: the matrix has no inverse in numbers. They may be the same. */
+bool matrix_invert(mat4 matrix, mat4 inverse);
+
+/** From the space of a node, at rest, to the model's; the model's own where it has no rig. */
+void rig_node_rest(const struct rig *rig, uint32_t node, mat4 transform);
+
 /** Vertices of a shape's mesh; owned. */
 struct posed_vertices {
 	float *positions; /**< [vertex_count][3] */
@@ -92,8 +99,8 @@ struct posed_vertices {
 struct pose {
 	float (*transforms)[16];       /**< [object_count], to the model's space; owned */
 	struct posed_vertices *shapes; /**< [shape_count], in the object's space; owned */
+	float (*nodes)[16];            /**< [node_count], to the model's space; owned */
 	/* Working memory; owned. */
-	float (*nodes)[16]; /* [node_count], to the model's space */
 	float (*bones)[12]; /* rows of 3 x 4 matrices, of the shape with most */
 	float *weights;     /* of the shape with most targets */
 };

@@ -448,6 +448,7 @@ static void add_camera(struct import *import)
 		glm_vec3_add(camera.target, camera.eye, camera.target);
 		to_direction(space, &source->mUp, camera.up);
 		model->camera = camera;
+		model->camera_node = import_rig_node(import->scene, source->mName.data);
 		model->has_camera = source->mOrthographicWidth == 0 && is_usable(&camera);
 		model->width = (uint32_t)lrintf(aspect * (float)height);
 		model->height = height;
@@ -475,6 +476,7 @@ static void light_cone(
 static bool add_light(struct import *import, const struct aiLight *source)
 {
 	struct model_light light = {
+		.node = import_rig_node(import->scene, source->mName.data),
 		.desc = {.radius = NAN, .angle = NAN, .softness = .5f},
 		.physical = true,
 		.fade = {source->mAttenuationConstant, source->mAttenuationLinear,

@@ -57,6 +57,22 @@ static void add_node(struct rigging *rigging, const struct aiNode *node, uint32_
 		add_node(rigging, node->mChildren[i], index);
 }
 
+/* Counts *index up to the first node of that name; whether there is one. */
+static bool find_index(const struct aiNode *node, const char *name, uint32_t *index)
+{
+	++*index;
+	bool found = strcmp(node->mName.data, name) == 0;
+	for (unsigned i = 0; !found && i < node->mNumChildren; i++)
+		found = find_index(node->mChildren[i], name, index);
+	return found;
+}
+
+uint32_t import_rig_node(const struct aiScene *scene, const char *name)
+{
+	uint32_t index = 0;
+	return find_index(scene->mRootNode, name, &index) ? index : 0;
+}
+
 /** SM_NONE: there is none. */
 static uint32_t find_node(const struct rigging *rigging, const char *name)
 {

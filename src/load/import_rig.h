@@ -16,6 +16,9 @@ struct import_part {
  *  objects. */
 bool import_deforms(const struct aiMesh *mesh);
 
+/** The rig's node for the first node of that name; 0, which stands still, if there is none. */
+uint32_t import_rig_node(const struct aiScene *scene, const char *name);
+
 /**
  * Fills the model's rig from a scene that has animations, or meshes with bones or targets; from
  * another it stays empty. A channel whose numbers make no sense, or whose node is missing, is left

@@ -20,6 +20,7 @@ struct model_light {
 	bool physical;             /**< intensity is radiant: reaches a point at distance d as
 					intensity / (fade[0] + fade[1] d + fade[2] d^2) */
 	float fade[3];
+	uint32_t node; /**< of the rig, that it goes with */
 };
 
 /** Something that went wrong without spoiling the model, such as a missing picture. */
@@ -48,6 +49,7 @@ struct model {
 	struct rig rig;
 	bool has_camera;
 	struct sm_camera camera; /**< near and far are 0 */
+	uint32_t camera_node;    /**< of the rig, that it goes with */
 	uint32_t width, height;  /**< of the picture that suits the camera; 0: any */
 	float ground_size;       /**< side of the square at y = 0 that it stands on; 0: none */
 	const struct model_note *notes;

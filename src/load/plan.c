@@ -7,7 +7,7 @@
 
 bool plan_init(struct plan *plan, struct sm_error *error)
 {
-	*plan = (struct plan){0};
+	*plan = (struct plan){.camera.origin.object = SM_NONE};
 	for (enum section section = 0; section < SECTION_COUNT; section++)
 		if (!section_is_named(section) &&
 			!section_reset(section, plan_get(plan, section, 0).data))
@@ -33,7 +33,7 @@ void plan_finish(struct plan *plan)
 
 struct plan_light *plan_add_light(struct plan *plan, const char *name, struct sm_error *error)
 {
-	struct plan_light light = {.name = strdup(name)};
+	struct plan_light light = {.name = strdup(name), .origin.object = SM_NONE};
 	if (light.name == NULL || !section_reset(SECTION_LIGHT, &light) ||
 		!array_reserve((void **)&plan->lights, &plan->light_capacity, plan->light_count + 1,
 			sizeof(light))) {

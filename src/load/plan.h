@@ -12,14 +12,23 @@ enum plan_show { PLAN_SHOW_AUTO, PLAN_SHOW_YES, PLAN_SHOW_NO };
 enum plan_turns { PLAN_TURNS_CAMERA, PLAN_TURNS_LIGHT };
 enum plan_samples { PLAN_SAMPLES_1, PLAN_SAMPLES_4 };
 
+/* What a light or camera was taken from, and goes with. */
+struct plan_origin {
+	uint32_t object; /* of the plan; SM_NONE: it is the plan's own */
+	uint32_t node;   /* of its model's rig */
+	bool aimed;      /* not all around */
+};
+
 struct plan_camera {
 	struct sm_camera desc;
+	struct plan_origin origin;
 	struct motion_path path;
 };
 
 struct plan_light {
 	char *name;                /* owned */
 	struct sm_light_desc desc; /* its name is not used */
+	struct plan_origin origin;
 	struct motion_path path;
 	uint64_t given;
 };

@@ -177,27 +177,40 @@ static bool check_place(
 }
 
 /** Takes a light of a model into the plan, with its place in the world. */
-static bool adopt_light(struct builder *builder, const struct model_light *source, mat4 world,
-	float scale, struct sm_error *error)
+static bool adopt_light(struct builder *builder, uint32_t object, const struct model_light *source,
+	struct sm_error *error)
 {
+	const float *scale = builder->plan.objects[object].scale;
 	const char *name = source->desc.name != NULL ? source->desc.name : "light";
 	if (!array_reserve((void **)&builder->lights, &builder->light_capacity,
 		    builder->light_count + 1, sizeof(*builder->lights)))
 		return error_no_memory(error);
-	if (plan_add_light(&builder->plan, name, error) == NULL)
+	struct plan_light *added = plan_add_light(&builder->plan, name, error);
+	if (added == NULL)
 		return false;
+	added->origin = (struct plan_origin){object, source->node, source->aimed};
 	struct model_light *light = &builder->lights[builder->light_count++];
+	mat4 world;
+	actor_rest_transform(&builder->actors[object], source->node, world);
 	*light = *source;
 	glm_mat4_mulv3(world, light->desc.position, 1, light->desc.position);
 	glm_mat4_mulv3(world, light->desc.target, 1, light->desc.target);
-	light->desc.radius *= scale;
+	light->desc.radius *= fmaxf(scale[0], fmaxf(scale[1], scale[2]));
 	return check_place(builder->source, "a light", light->desc.position, error);
 }
 
-static bool adopt_camera(
-	struct builder *builder, const struct sm_camera *source, mat4 world, struct sm_error *error)
+static bool adopt_camera(struct builder *builder, uint32_t object, struct sm_error *error)
 {
+	const struct model *model = builder->actors[object].model;
+	const struct sm_camera *source = &model->camera;
 	struct sm_camera *camera = &builder->plan.camera.desc;
+	mat4 world;
+	if (!model->has_camera)
+		return true;
+	actor_rest_transform(&builder->actors[object], model->camera_node, world);
+	if (isnan(camera->eye[0]) && isnan(camera->target[0]))
+		builder->plan.camera.origin =
+			(struct plan_origin){object, model->camera_node, true};
 	if (isnan(camera->eye[0]))
 		glm_mat4_mulv3(world, (float *)source->eye, 1, camera->eye);
 	if (isnan(camera->target[0]))
@@ -222,23 +235,18 @@ static void find_box(const struct builder *builder, float box[2][3])
 
 /** Puts the model of an object into the scene, and its lights and camera into the plan. */
 static bool place_model(
-	struct builder *builder, size_t index, bool with_lights, struct sm_error *error)
+	struct builder *builder, uint32_t index, bool with_lights, struct sm_error *error)
 {
 	const struct plan_object *object = &builder->plan.objects[index];
 	struct actor *actor = &builder->actors[index];
 	const struct model *model = actor->model;
-	struct model_placement placement;
-	actor_placement(actor, &placement);
 	struct sm_error cause;
 	if (!actor_place(actor, object->name, builder->scene, &cause))
 		return error_set(error, cause.status, "%s: %s", object->model, cause.text);
-	mat4 world;
-	memcpy(world, placement.transform, sizeof(world));
-	if (model->has_camera && !adopt_camera(builder, &model->camera, world, error))
+	if (!adopt_camera(builder, index, error))
 		return false;
-	float scale = fmaxf(object->scale[0], fmaxf(object->scale[1], object->scale[2]));
 	for (size_t i = 0; with_lights && i < model->light_count; i++)
-		if (!adopt_light(builder, &model->lights[i], world, scale, error))
+		if (!adopt_light(builder, index, &model->lights[i], error))
 			return false;
 	return true;
 }
@@ -253,7 +261,7 @@ static bool fill_scene(struct builder *builder, struct sm_error *error)
 	sm_scene_set_environment(builder->scene, &plan->environment);
 	if (!add_ground(builder, error))
 		return false;
-	for (size_t i = 0; i < plan->object_count; i++)
+	for (uint32_t i = 0; i < plan->object_count; i++)
 		if (!place_model(builder, i, with_lights, error))
 			return false;
 	float box[2][3];
@@ -320,65 +328,6 @@ static bool check_camera(const struct sm_camera *camera, const char *source, str
 	       error_set(error, SM_ERROR_INPUT, "%s: [camera] %s", source, problem);
 }
 
-/** Takes what [motion] turns into the path of the camera or a light. */
-static bool resolve_turn(struct builder *builder, struct sm_error *error)
-{
-	struct plan *plan = &builder->plan;
-	bool of_light = plan->motion.turns == PLAN_TURNS_LIGHT;
-	const char *name = plan->motion.light;
-	if (name != NULL && !of_light)
-		return error_set(error, SM_ERROR_INPUT,
-			"%s: [motion] light is given, but turns is camera", builder->source);
-	size_t light = name != NULL ? plan_find(plan, SECTION_LIGHT, name) : 0;
-	if (light == SIZE_MAX) {
-		char known[200];
-		plan_list_names(plan, SECTION_LIGHT, known, sizeof(known));
-		return error_set(error, SM_ERROR_INPUT,
-			"%s: [motion] no light is called \"%.40s\"; known: %s", builder->source,
-			name, known);
-	}
-	struct motion_path *path = of_light ? &plan->lights[light].path : &plan->camera.path;
-	if (plan->motion.period == 0)
-		return true;
-	if (path->orbit != 0)
-		return error_set(error, SM_ERROR_INPUT,
-			"%s: [motion] turns what has an orbit of its own", builder->source);
-	path->orbit = plan->motion.period;
-	return true;
-}
-
-static bool keep_lights(
-	const struct plan *plan, struct stage_motion *motion, struct sm_error *error)
-{
-	motion->lights = array_alloc(plan->light_count, sizeof(*motion->lights));
-	if (motion->lights == NULL)
-		return error_no_memory(error);
-	for (size_t i = 0; i < plan->light_count; i++) {
-		const struct plan_light *light = &plan->lights[i];
-		if (!motion_moves(&light->path))
-			continue;
-		struct stage_light *kept = &motion->lights[motion->light_count++];
-		*kept = (struct stage_light){(uint32_t)i, light->desc, light->path};
-		/* The scene would copy it each time, and the plan's does not last. */
-		kept->rest.name = NULL;
-	}
-	return true;
-}
-
-/** Takes the actors that move to the front of their array, and the array from the builder. */
-static void keep_actors(struct builder *builder, struct stage_motion *motion)
-{
-	motion->actors = builder->actors;
-	builder->actors = NULL;
-	for (size_t i = 0; i < builder->plan.object_count; i++) {
-		struct actor *actor = &motion->actors[i];
-		if (actor_moves(actor))
-			motion->actors[motion->actor_count++] = *actor;
-		else
-			actor_finish(actor);
-	}
-}
-
 /** Hands the results over to the stage. */
 static bool finish_stage(struct builder *builder, struct stage *stage, struct sm_error *error)
 {
@@ -390,12 +339,15 @@ static bool finish_stage(struct builder *builder, struct stage *stage, struct sm
 		.frame = builder->frame, .light = plan->lights[0].desc, .open = *camera};
 	framing.light.name = NULL;
 	frame_complete_camera(&builder->frame, &plan->lights[0].desc, aspect, camera);
-	struct stage_motion motion = {.camera = *camera};
-	if (!check_camera(camera, builder->source, error) || !resolve_turn(builder, error) ||
-		!keep_lights(plan, &motion, error))
+	if (!check_camera(camera, builder->source, error))
 		return false;
-	motion.camera_path = plan->camera.path;
-	keep_actors(builder, &motion);
+	struct stage_motion motion;
+	struct actor *actors = builder->actors;
+	builder->actors = NULL;
+	if (!stage_motion_init(&motion, plan, actors, builder->source, error)) {
+		stage_motion_finish(&motion);
+		return false;
+	}
 	*stage = (struct stage){
 		.scene = builder->scene,
 		.camera = *camera,
@@ -447,10 +399,7 @@ bool stage_load(struct stage *stage, const char *source, const char *const *sett
 
 void stage_finish(struct stage *stage)
 {
-	for (size_t i = 0; i < stage->motion.actor_count; i++)
-		actor_finish(&stage->motion.actors[i]);
-	free(stage->motion.actors);
-	free(stage->motion.lights);
+	stage_motion_finish(&stage->motion);
 	sm_scene_destroy(stage->scene);
 	free(stage->technique);
 	*stage = (struct stage){0};
@@ -469,24 +418,13 @@ void stage_set_size(struct stage *stage, uint32_t width, uint32_t height)
 
 bool stage_moves(const struct stage *stage)
 {
-	const struct stage_motion *motion = &stage->motion;
-	return motion_moves(&motion->camera_path) || motion->light_count > 0 ||
-	       motion->actor_count > 0;
+	return stage_motion_moves(&stage->motion);
 }
 
 bool stage_set_time(struct stage *stage, double seconds, struct sm_error *error)
 {
-	struct stage_motion *motion = &stage->motion;
-	motion_camera(&motion->camera_path, seconds, &motion->camera, &stage->camera);
-	for (size_t i = 0; i < motion->light_count; i++) {
-		const struct stage_light *moved = &motion->lights[i];
-		struct sm_light_desc light;
-		motion_light(&moved->path, seconds, &moved->rest, &light);
-		if (!sm_scene_set_light(stage->scene, moved->light, &light, error))
-			return false;
-	}
-	for (size_t i = 0; i < motion->actor_count; i++)
-		if (!actor_set_time(&motion->actors[i], seconds, stage->scene, error))
-			return false;
+	if (!stage_motion_set_time(&stage->motion, seconds, stage->scene, error))
+		return false;
+	stage_motion_camera(&stage->motion, seconds, &stage->camera);
 	return true;
 }

@@ -3,31 +3,12 @@
 #define LOAD_STAGE_H
 
 #include "load/defaults.h"
-#include "load/motion.h"
+#include "load/stage_motion.h"
 
 /** Pixels of the picture. */
 struct stage_output {
 	uint32_t width, height; /**< 1 to 16384 */
 	uint32_t samples;       /**< of multisampling: 1 or 4 */
-};
-
-struct actor;
-
-/** A light that moves. */
-struct stage_light {
-	uint32_t light;            /**< of the scene */
-	struct sm_light_desc rest; /**< at time 0; without its name */
-	struct motion_path path;
-};
-
-/** What moves, and where it is at time 0. */
-struct stage_motion {
-	struct motion_path camera_path;
-	struct sm_camera camera;
-	struct stage_light *lights; /**< owned, in the order of the scene */
-	size_t light_count;
-	struct actor *actors; /**< owned: the objects that move */
-	size_t actor_count;
 };
 
 /** What a camera's defaults follow from. */

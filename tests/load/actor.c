@@ -75,6 +75,68 @@ static void the_view_is_of_all_that_an_animation_does(void **state)
 	stage_finish(&stage);
 }
 
+static void check_vector(const float got[3], float x, float y, float z)
+{
+	assert_float_equal(got[0], x, 1e-5);
+	assert_float_equal(got[1], y, 1e-5);
+	assert_float_equal(got[2], z, 1e-5);
+}
+
+/* In lift.gltf a node takes a spot, a lamp that shines all around and a camera 2 units along x, in
+ * a second. Nothing else moves. */
+static void lights_and_cameras_go_with_their_nodes(void **state)
+{
+	struct stage stage;
+	(void)state;
+	load(&stage, SMOOTHIE_LIFT, NULL);
+	const struct light *lights = stage.scene->lights;
+	struct sm_light_desc spot = lights[0].desc, lamp = lights[1].desc;
+	struct sm_camera camera = stage.camera;
+	assert_true(stage_set_time(&stage, .5, NULL));
+	check_vector(lights[0].desc.position, 1, 0, 4);
+	check_vector(lights[0].desc.target, spot.target[0] + 1, spot.target[1], spot.target[2]);
+	check_vector(lights[1].desc.position, 1, 3, 0);
+	check_vector(lights[1].desc.target, lamp.target[0], lamp.target[1], lamp.target[2]);
+	check_vector(stage.camera.eye, 1, 1, 6);
+	check_vector(stage.camera.target, 1, 1, 5);
+	assert_true(stage_set_time(&stage, 0, NULL));
+	assert_memory_equal(lights[0].desc.position, spot.position, sizeof(spot.position));
+	assert_memory_equal(lights[0].desc.target, spot.target, sizeof(spot.target));
+	assert_memory_equal(&stage.camera, &camera, sizeof(camera));
+	stage_finish(&stage);
+}
+
+static void what_the_scene_places_stays(void **state)
+{
+	static const char *const settings[] = {
+		"light.position=5 5 5", "camera.eye=0 2 9", "camera.target=0 0 1"};
+	struct stage stage;
+	struct sm_error error;
+	(void)state;
+	assert_true(stage_load(&stage, SMOOTHIE_LIFT, settings, 3, &error));
+	struct sm_camera camera = stage.camera;
+	assert_true(stage_set_time(&stage, .5, NULL));
+	check_vector(stage.scene->lights[0].desc.position, 5, 5, 5);
+	assert_memory_equal(&stage.camera, &camera, sizeof(camera));
+	stage_finish(&stage);
+}
+
+/* A quarter of a turn of the whole model about the axis through (0, 0, 4). */
+static void lights_go_with_the_whole_model(void **state)
+{
+	static const char *const settings[] = {
+		"object.animation=none", "object.orbit=4", "object.center=0 0 4"};
+	struct stage stage;
+	struct sm_error error;
+	(void)state;
+	assert_true(stage_load(&stage, SMOOTHIE_LIFT, settings, 3, &error));
+	assert_true(stage_set_time(&stage, 1, NULL));
+	check_vector(stage.scene->lights[0].desc.position, 0, 0, 4);
+	check_vector(stage.scene->lights[1].desc.position, -4, 3, 4);
+	check_vector(stage.camera.eye, 2, 1, 4);
+	stage_finish(&stage);
+}
+
 static void unknown_animations_are_refused(void **state)
 {
 	static const struct {
@@ -106,6 +168,9 @@ int main(void)
 		cmocka_unit_test(models_play_their_animations),
 		cmocka_unit_test(a_scene_moves_while_its_models_do),
 		cmocka_unit_test(the_view_is_of_all_that_an_animation_does),
+		cmocka_unit_test(lights_and_cameras_go_with_their_nodes),
+		cmocka_unit_test(what_the_scene_places_stays),
+		cmocka_unit_test(lights_go_with_the_whole_model),
 		cmocka_unit_test(unknown_animations_are_refused),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
