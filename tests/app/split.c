@@ -49,7 +49,7 @@ static void check_split(const char *scene, const char *technique)
 static void a_sequence_can_be_split(void **state)
 {
 	(void)state;
-	static const char *const techniques[] = {"hard", "smoothie", "gather"};
+	static const char *const techniques[] = {"hard", "smoothie", "gather", "auto"};
 	const char *fox = SMOOTHIE_SHARED "/models/fox.glb";
 	write_text("moving.ini", moving_scene);
 	for (size_t i = 0; i < sizeof(techniques) / sizeof(techniques[0]); i++) {

@@ -43,7 +43,7 @@ struct run {
 	struct sm_renderer *skipping, *thorough;
 	struct canvas canvases[2]; /* of each */
 	struct sm_scene *scene;
-	uint32_t meshes[3], objects, lights;
+	uint32_t meshes[4], objects, lights;
 	struct sm_light_desc light[3];
 	struct sm_camera camera;
 	uint32_t visibility_of;
@@ -79,10 +79,47 @@ static struct pose random_pose(struct run *run)
 	};
 }
 
+/* The last mesh: a cloth of 4 x 4 squares. */
+#define CLOTH_SIDE 5
+
+static void random_cloth(struct run *run, float positions[][3])
+{
+	for (int i = 0; i < CLOTH_SIDE * CLOTH_SIDE; i++) {
+		positions[i][0] = (float)(i % CLOTH_SIDE) / 2 - 1;
+		positions[i][1] = between(run, 0, 1);
+		positions[i][2] = (float)(i / CLOTH_SIDE) / 2 - 1;
+	}
+}
+
+static uint32_t add_cloth(struct run *run)
+{
+	enum { QUADS = CLOTH_SIDE - 1 };
+	float positions[CLOTH_SIDE * CLOTH_SIDE][3];
+	uint32_t indices[6 * QUADS * QUADS], *index = indices;
+	random_cloth(run, positions);
+	for (uint32_t i = 0; i < QUADS * QUADS; i++) {
+		uint32_t corner = i / QUADS * CLOTH_SIDE + i % QUADS,
+			 below_it = corner + CLOTH_SIDE;
+		const uint32_t corners[] = {
+			corner, below_it, corner + 1, corner + 1, below_it, below_it + 1};
+		memcpy(index, corners, sizeof(corners));
+		index += 6;
+	}
+	return parts_add_mesh(run->scene, (const float(*)[3])positions, CLOTH_SIDE * CLOTH_SIDE,
+		indices, COUNT(indices));
+}
+
+static void wave_cloth(struct run *run)
+{
+	float positions[CLOTH_SIDE * CLOTH_SIDE][3];
+	random_cloth(run, positions);
+	assert_true(sm_scene_set_vertices(run->scene, run->meshes[3], positions[0], NULL, NULL));
+}
+
 static void add_object(struct run *run)
 {
 	struct pose pose = random_pose(run);
-	parts_add_object(run->scene, run->meshes[below(run, 3)], 1 + below(run, PART_BOTH), &pose);
+	parts_add_object(run->scene, run->meshes[below(run, 4)], 1 + below(run, PART_BOTH), &pose);
 	run->objects++;
 }
 
@@ -118,7 +155,7 @@ static struct sm_light_desc random_light(struct run *run)
 		.angle = between(run, 15, 100),
 		.softness = between(run, 0, 1),
 		.color = {1, between(run, 0, 1), between(run, 0, 1)},
-		.intensity = powf(10, below(run, 4) == 0 ? between(run, -5, -1) : 0),
+		.intensity = powf(10, below(run, 4) == 0 ? between(run, -6, -1) : 0),
 	};
 }
 
@@ -178,6 +215,7 @@ static void make_scene(struct run *run)
 	run->meshes[0] = parts_add_cube(run->scene);
 	run->meshes[1] = parts_add_sphere(run->scene, 5);
 	run->meshes[2] = parts_add_square(run->scene);
+	run->meshes[3] = add_cloth(run);
 	parts_add_object(run->scene, run->meshes[2], below(run, 4) == 0 ? PART_BOTH : PART_RECEIVES,
 		&(struct pose){.scale = {4, 1, 4}});
 	run->objects = 1;
@@ -213,6 +251,8 @@ static void change(struct run *run)
 		bend_cube(run);
 	else if (what < 88)
 		run->visibility_of = below(run, 2) == 0 ? SM_NONE : below(run, run->lights);
+	else if (what < 90)
+		wave_cloth(run);
 }
 
 static uint8_t *draw(struct run *run, struct sm_renderer *renderer, const struct canvas *canvas)
