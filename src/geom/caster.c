@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/caster.h"
 #include "base/array.h"
+#include "geom/triangle_order.h"
 #include <meshoptimizer.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,22 +30,23 @@ static bool weld(struct caster *caster, const float (*positions)[3], size_t vert
 	return ok;
 }
 
-static void order_range(struct caster *caster, size_t first, size_t count)
+/* Blocks of neighbours that look one way keep the edge table small and are searched as a whole. */
+static bool order_triangles(struct caster *caster)
 {
-	uint32_t *indices = &caster->indices[3 * first];
-	meshopt_optimizeVertexCache(indices, indices, 3 * count, caster->vertex_count);
+	const float(*positions)[3] = (const float(*)[3])caster->positions;
+	size_t closed = caster->found.closed_count;
+	return triangle_order_blocks(positions, caster->vertex_count, caster->indices, 0, closed) &&
+	       triangle_order_blocks(positions, caster->vertex_count, caster->indices, closed,
+		       caster->triangle_count);
 }
 
-/* Neighbours near each other keep the edge table small and the search in the cache. */
-static bool order(struct caster *caster)
+/* As the triangles come to them. */
+static bool order_vertices(struct caster *caster)
 {
-	size_t closed = caster->found.closed_count, count = caster->vertex_count;
+	size_t count = caster->vertex_count, index_count = 3 * caster->triangle_count;
 	uint32_t *remap = array_alloc(count, sizeof(*remap));
 	if (remap == NULL)
 		return false;
-	order_range(caster, 0, closed);
-	order_range(caster, closed, caster->triangle_count - closed);
-	size_t index_count = 3 * caster->triangle_count;
 	meshopt_optimizeVertexFetchRemap(remap, caster->indices, index_count, count);
 	meshopt_remapIndexBuffer(caster->indices, caster->indices, index_count, remap);
 	meshopt_remapVertexBuffer(
@@ -64,12 +66,15 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 	if (!orientation_repair(&caster->found, (const float(*)[3])caster->positions,
 		    caster->vertex_count, caster->indices, &caster->triangle_count))
 		goto error;
-	if (!order(caster))
+	if (!order_triangles(caster) || !order_vertices(caster))
 		goto error;
 	if (!edge_table_init(
 		    &caster->edges, caster->indices, caster->triangle_count, caster->vertex_count))
 		goto error;
 	if (!face_planes_init(&caster->planes, caster->positions, caster->vertex_count,
+		    caster->indices, caster->triangle_count))
+		goto error;
+	if (!face_cones_init(&caster->cones, &caster->planes, (const float(*)[3])caster->positions,
 		    caster->indices, caster->triangle_count))
 		goto error;
 	return true;
@@ -85,6 +90,7 @@ void caster_move(struct caster *caster, const float (*positions)[3])
 			sizeof(caster->positions[v]));
 	face_planes_update(&caster->planes, (const float(*)[3])caster->positions,
 		caster->vertex_count, caster->indices);
+	face_cones_finish(&caster->cones);
 }
 
 void caster_finish(struct caster *caster)
@@ -94,6 +100,7 @@ void caster_finish(struct caster *caster)
 	free(caster->indices);
 	edge_table_finish(&caster->edges);
 	face_planes_finish(&caster->planes);
+	face_cones_finish(&caster->cones);
 	*caster = (struct caster){0};
 }
 
@@ -101,5 +108,6 @@ size_t caster_bytes(const struct caster *caster)
 {
 	return caster->vertex_count * (sizeof(*caster->positions) + sizeof(*caster->sources)) +
 	       3 * caster->triangle_count * sizeof(*caster->indices) +
-	       edge_table_bytes(&caster->edges) + face_planes_bytes(&caster->planes);
+	       edge_table_bytes(&caster->edges) + face_planes_bytes(&caster->planes) +
+	       face_cones_bytes(&caster->cones);
 }

@@ -2,12 +2,13 @@
 #ifndef GEOM_CASTER_H
 #define GEOM_CASTER_H
 
+#include "geom/cones.h"
 #include "geom/edges.h"
 #include "geom/face.h"
 #include "geom/orientation.h"
 
 /** A mesh as its silhouettes are searched: welded by position alone, wound consistently, in a
- *  triangle order of its own that has closed parts first and else keeps neighbours near. */
+ *  triangle order of its own: closed parts first, and blocks of neighbours that look alike. */
 struct caster {
 	size_t vertex_count;
 	float (*positions)[3]; /* [vertex_count], without negative zeros; distinct at first */
@@ -17,6 +18,7 @@ struct caster {
 	struct orientation found;
 	struct edge_table edges;
 	struct face_planes planes;
+	struct face_cones cones;
 };
 
 /**

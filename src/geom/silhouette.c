@@ -21,12 +21,12 @@ struct plane_test {
 /*
  * With N the normal in double, m = light.xyz - w c and r the radius, the exact value is
  *	|N| (n . m - w r d),   n = N / |N|,   d = n . (p0 - c) / r.
- * Let x be (m, -w r) divided by |m| + w r, Q = 32767, and V = n . x.xyz + d x.w, so that
+ * Let x be (m, -w r) divided by |m| + |w| r, Q = 32767, and V = n . x.xyz + d x.w, so that
  * |V| <= 1. n, d and x are rounded to 1 / Q. Q^2 V is thereby changed by at most
  *	Q / 2 (|n|_1 + |d| + |x|_1) + 4 / 4 <= Q / 2 (sqrt 3 + 1 + sqrt 3) + 1 < 1.12 * 2^16,
  * and taking the upper halves of four products loses less than 4 more: the sum is within
  * (-5.12, 1.12] of Q^2 V / 2^16. What double rounds here, in the planes and in the exact value is
- * below 2^-30 of the same scale, at any scale of light and mesh; with a w other than 0 or 1,
+ * below 2^-30 of the same scale, at any scale of light and mesh; with a w other than 0, 1 or -1,
  * light.xyz - w p0 could round by more. The sum and its parts stay within 16 bits.
  */
 static struct plane_test plane_test_of(const struct face_planes *planes, const float light[4])
@@ -35,9 +35,9 @@ static struct plane_test plane_test_of(const struct face_planes *planes, const f
 	double m[3];
 	for (int i = 0; i < 3; i++)
 		m[i] = light[i] - w * planes->center[i];
-	double length = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) + w * planes->radius;
+	double length = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) + fabs(w) * planes->radius;
 	/* No length: neither light nor mesh has an extent, so that nothing faces. */
-	if ((w != 0.0 && w != 1.0) || length == 0.0)
+	if ((w != 0.0 && fabs(w) != 1.0) || length == 0.0)
 		return (struct plane_test){0};
 	double scale = FACE_PLANE_ONE / length;
 	return (struct plane_test){
@@ -99,38 +99,83 @@ static inline uint64_t test_planes(const struct face_planes *planes, size_t firs
 	return pack_bytes(above);
 }
 
-static uint64_t facing_word(const struct caster *caster, size_t first, int count,
-	struct plane_test test, const float light[4])
+/* A light, in all ways that it is looked at. */
+struct facing_test {
+	const float *light;
+	struct plane_test planes;
+	struct cone_light cones;
+};
+
+static int block_size(const struct caster *caster, size_t b)
 {
+	size_t left = caster->triangle_count - b * EDGE_BLOCK;
+	return left < EDGE_BLOCK ? (int)left : EDGE_BLOCK;
+}
+
+static uint64_t facing_word(const struct caster *caster, size_t b, const struct facing_test *test)
+{
+	size_t first = b * EDGE_BLOCK;
+	int count = block_size(caster, b);
 	int16_t sums[EDGE_BLOCK];
 	bool unsure;
 	/* The constant count is what lets a compiler unroll it into vectors. */
-	uint64_t word =
-		count == EDGE_BLOCK
-			? test_planes(&caster->planes, first, EDGE_BLOCK, test, sums, &unsure)
-			: test_planes(&caster->planes, first, count, test, sums, &unsure);
+	uint64_t word = count == EDGE_BLOCK ? test_planes(&caster->planes, first, EDGE_BLOCK,
+						      test->planes, sums, &unsure)
+					    : test_planes(&caster->planes, first, count,
+						      test->planes, sums, &unsure);
 	if (!unsure)
 		return word;
 	for (int i = 0; i < count; i++)
 		if (sums[i] < SURELY_FACES && sums[i] > SURELY_NOT)
-			word |= (uint64_t)faces(caster, first + (size_t)i, light) << i;
+			word |= (uint64_t)faces(caster, first + (size_t)i, test->light) << i;
 	return word;
+}
+
+/* False, and facing cleared, for a light that is not finite. */
+static bool facing_test_init(struct facing_test *test, const struct caster *caster,
+	const float light[4], uint64_t *facing)
+{
+	if (!isfinite(light[0]) || !isfinite(light[1]) || !isfinite(light[2]) ||
+		!isfinite(light[3])) {
+		memset(facing, 0, facing_words(caster) * sizeof(*facing));
+		return false;
+	}
+	*test = (struct facing_test){
+		.light = light, .planes = plane_test_of(&caster->planes, light)};
+	return true;
+}
+
+static void find_all(const struct caster *caster, const struct facing_test *test, uint64_t *facing)
+{
+	for (size_t b = 0; b < facing_words(caster); b++)
+		facing[b] = facing_word(caster, b, test);
+}
+
+void facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing)
+{
+	struct facing_test test;
+	if (facing_test_init(&test, caster, light, facing))
+		find_all(caster, &test, facing);
 }
 
 void facing_find(const struct caster *caster, const float light[4], uint64_t *facing)
 {
-	size_t words = facing_words(caster);
-	if (!isfinite(light[0]) || !isfinite(light[1]) || !isfinite(light[2]) ||
-		!isfinite(light[3])) {
-		memset(facing, 0, words * sizeof(*facing));
+	struct facing_test test;
+	if (!facing_test_init(&test, caster, light, facing))
+		return;
+	if (!cone_light_of(&caster->planes, light, &test.cones) || caster->cones.count == 0) {
+		find_all(caster, &test, facing);
 		return;
 	}
-	struct plane_test test = plane_test_of(&caster->planes, light);
-	for (size_t w = 0; w < words; w++) {
-		size_t first = w * EDGE_BLOCK;
-		size_t left = caster->triangle_count - first;
-		facing[w] = facing_word(
-			caster, first, left < EDGE_BLOCK ? (int)left : EDGE_BLOCK, test, light);
+	size_t blocks = facing_words(caster);
+	for (size_t first = 0; first < blocks; first += CONE_BATCH) {
+		uint8_t sides[CONE_BATCH];
+		face_cones_test(&caster->cones, first, &test.cones, sides);
+		for (size_t b = first; b < blocks && b < first + CONE_BATCH; b++)
+			facing[b] = sides[b - first] == CONE_AVERTS ? 0
+				    : sides[b - first] == CONE_FACES
+					    ? UINT64_MAX >> (EDGE_BLOCK - block_size(caster, b))
+					    : facing_word(caster, b, &test);
 	}
 }
 
@@ -227,11 +272,11 @@ static inline void skip_block(struct edge_reader *reader, struct edge_block bloc
 
 /* The corners of all records of block b whose triangles differ. */
 static inline unsigned find_in_block(const struct edge_table *table, const uint64_t *facing,
-	size_t b, const struct edge_reader *reader, uint8_t hits[HITS_MAX])
+	size_t b, const struct edge_reader *reader, bool skips, uint8_t hits[HITS_MAX])
 {
 	struct edge_block block = table->blocks[b];
 	uint64_t own = facing[b], across[LINKS_MAX + 1];
-	bool uniform = own == 0 || own == UINT64_MAX;
+	bool uniform = skips && (own == 0 || own == UINT64_MAX);
 	uint64_t differs = look_across(facing, block, reader->links, own, across);
 	if (uniform && differs == 0)
 		return 0;
@@ -249,7 +294,7 @@ static void write_edges(const struct caster *caster, uint64_t facing, size_t b, 
 		edges[i] = edge_at(caster->indices, facing, (uint32_t)(b * EDGE_BLOCK), hits[i]);
 }
 
-size_t silhouette_find(const struct caster *caster, const uint64_t *facing,
+static inline size_t find_edges(const struct caster *caster, const uint64_t *facing, bool skips,
 	struct silhouette_edge *edges, size_t capacity)
 {
 	const struct edge_table *table = &caster->edges;
@@ -257,11 +302,23 @@ size_t silhouette_find(const struct caster *caster, const uint64_t *facing,
 	size_t count = 0;
 	for (size_t b = 0; b < edge_table_blocks(table); b++) {
 		uint8_t hits[HITS_MAX];
-		size_t found = find_in_block(table, facing, b, &reader, hits);
+		size_t found = find_in_block(table, facing, b, &reader, skips, hits);
 		size_t room = count < capacity ? capacity - count : 0;
 		write_edges(caster, facing[b], b, hits, found < room ? found : room, edges + count);
 		count += found;
 		skip_block(&reader, table->blocks[b]);
 	}
 	return count;
+}
+
+size_t silhouette_find(const struct caster *caster, const uint64_t *facing,
+	struct silhouette_edge *edges, size_t capacity)
+{
+	return find_edges(caster, facing, true, edges, capacity);
+}
+
+size_t silhouette_find_all(const struct caster *caster, const uint64_t *facing,
+	struct silhouette_edge *edges, size_t capacity)
+{
+	return find_edges(caster, facing, false, edges, capacity);
 }

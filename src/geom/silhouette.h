@@ -18,6 +18,9 @@ size_t facing_words(const struct caster *caster);
  */
 void facing_find(const struct caster *caster, const float light[4], uint64_t *facing);
 
+/** The same bits, with each triangle tested by itself: what facing_find() is measured against. */
+void facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing);
+
 /** Welded vertices of the caster. Seen from the light, the triangle that faces it is on the left of
  *  a -> b. */
 struct silhouette_edge {
@@ -30,6 +33,11 @@ struct silhouette_edge {
  * Returns the number found, at most edge_table_records(), and writes no more than capacity.
  */
 size_t silhouette_find(const struct caster *caster, const uint64_t *facing,
+	struct silhouette_edge *edges, size_t capacity);
+
+/** The same edges in the same order, with each record looked at: what silhouette_find() is measured
+ *  against. */
+size_t silhouette_find_all(const struct caster *caster, const uint64_t *facing,
 	struct silhouette_edge *edges, size_t capacity);
 
 #endif

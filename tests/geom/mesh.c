@@ -284,15 +284,13 @@ static void names_a_mesh_without_name(void **state)
 	refuses(&desc, "mesh (unnamed): no triangle");
 }
 
-/* Powers of two round nothing: what coincides, and how parts are wound, stays. */
-static float *stretched(const struct model *model)
+/* A power of two rounds nothing: what coincides, how parts are wound, and the order of triangles,
+ * which goes by how they lie to each other, stay. */
+static float *scaled(const struct model *model)
 {
 	float *positions = test_malloc(model->vertex_count * sizeof(*model->positions));
-	for (size_t v = 0; v < model->vertex_count; v++) {
-		positions[3 * v] = 2 * model->positions[v][0];
-		positions[3 * v + 1] = .5f * model->positions[v][1];
-		positions[3 * v + 2] = 4 * model->positions[v][2];
-	}
+	for (size_t i = 0; i < 3 * model->vertex_count; i++)
+		positions[i] = 4 * model->positions[i / 3][i % 3];
 	return positions;
 }
 
@@ -315,7 +313,7 @@ static void check_same_caster(const struct caster *got, const struct caster *exp
 /* As if it had been made there. */
 static void check_moved(const char *name, const struct model *model)
 {
-	float *positions = stretched(model), *normals = test_calloc(model->vertex_count, 12);
+	float *positions = scaled(model), *normals = test_calloc(model->vertex_count, 12);
 	bool changed;
 	for (size_t v = 0; v < model->vertex_count; v++)
 		normals[3 * v + 1] = 1;
@@ -353,7 +351,7 @@ static void moves_back_to_each_bit(void **state)
 	struct model sphere = model_sphere(2);
 	struct sm_mesh_desc desc = model_desc(&sphere, "sphere");
 	struct mesh mesh = made(&desc), expected = made(&desc);
-	float *positions = stretched(&sphere);
+	float *positions = scaled(&sphere);
 	bool changed;
 	assert_true(mesh.solid);
 	assert_true(mesh_set_vertices(&mesh, desc.positions, NULL, &changed, NULL));
