@@ -130,7 +130,9 @@ static void fit(struct face_cones *cones, size_t b, const struct block_planes *b
 	cones->z[b] = (float)middle[2];
 	cones->faces_from[b] = (float)faces;
 	cones->averts_from[b] = (float)averts;
-	cones->spread[b] = (float)((1.0 / (likeness * likeness) - 1.0) * SPREAD_MARGIN + 0x1p-20);
+	/* The axis is a unit vector but for rounding. */
+	likeness /= sqrt(dot(axis, axis));
+	cones->spread[b] = (float)((1.0 / (likeness * likeness) - 1.0) * SPREAD_MARGIN + 0x1p-40);
 }
 
 bool cone_light_of(const struct face_planes *planes, const float light[4], struct cone_light *seen)

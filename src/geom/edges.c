@@ -79,13 +79,32 @@ static size_t block_end(const struct edge_table *table, size_t b)
 	return b * EDGE_BLOCK + (left < EDGE_BLOCK ? left : EDGE_BLOCK);
 }
 
-static void count_block(struct edge_table *table, const uint32_t *neighbours, size_t b)
+/* Whether it can be one of the block's records with the next triangle; it is entered there. */
+static bool enter_next(struct edge_block *block, size_t corner, uint32_t neighbour)
+{
+	size_t owner = corner / 3, place = owner % EDGE_BLOCK, k = corner % 3;
+	uint64_t bit = UINT64_C(1) << place;
+	if (neighbour != owner + 1 || place == EDGE_BLOCK - 1 || (block->next & bit) != 0)
+		return false;
+	block->next |= bit;
+	block->low |= (k & 1) << place;
+	block->high |= (k >> 1) << place;
+	return true;
+}
+
+/* Enters what is with the next triangle, taking it from the neighbours, and counts the rest. */
+static void count_block(struct edge_table *table, uint32_t *neighbours, size_t b)
 {
 	struct edge_block *block = &table->blocks[b];
 	struct link_list list = {.count = 0};
 	for (size_t c = 3 * b * EDGE_BLOCK; c < 3 * block_end(table, b); c++) {
 		if (neighbours[c] == NO_RECORD)
 			continue;
+		if (enter_next(block, c, neighbours[c])) {
+			table->next_count++;
+			neighbours[c] = NO_RECORD;
+			continue;
+		}
 		bool near = is_near(c / 3, neighbours[c]), open = neighbours[c] == EDGE_OPEN;
 		*(near ? &block->near_count : &block->far_count) += 1;
 		if (!near && !open)
@@ -98,60 +117,56 @@ static void count_block(struct edge_table *table, const uint32_t *neighbours, si
 	table->link_count += block->link_count;
 }
 
-static bool reserve_records(struct edge_table *table, const uint32_t *neighbours)
+static bool reserve_records(struct edge_table *table, uint32_t *neighbours)
 {
 	table->blocks = array_zalloc(edge_table_blocks(table), sizeof(*table->blocks));
 	if (table->blocks == NULL)
 		return false;
 	for (size_t b = 0; b < edge_table_blocks(table); b++)
 		count_block(table, neighbours, b);
-	table->near = array_alloc(table->near_count, sizeof(*table->near));
+	table->near_corners = array_alloc(table->near_count, sizeof(*table->near_corners));
+	table->near_places = array_alloc(table->near_count, sizeof(*table->near_places));
 	table->far_corners = array_alloc(table->far_count, sizeof(*table->far_corners));
-	table->far_ends = array_alloc(table->far_count, sizeof(*table->far_ends));
+	table->far_places = array_alloc(table->far_count, sizeof(*table->far_places));
+	table->far_links = array_alloc(table->far_count, sizeof(*table->far_links));
 	table->links = array_alloc(table->link_count, sizeof(*table->links));
-	return table->near != NULL && table->far_corners != NULL && table->far_ends != NULL &&
-	       table->links != NULL;
+	return table->near_corners != NULL && table->near_places != NULL &&
+	       table->far_corners != NULL && table->far_places != NULL &&
+	       table->far_links != NULL && table->links != NULL;
 }
 
-/* Where the next record and link go. */
-struct edge_writer {
-	uint16_t *near;
-	uint8_t *corner;
-	uint16_t *end;
-	uint32_t *link;
-};
-
+/* Fills what one block owns and moves the reader behind it. */
 static void fill_block(const struct edge_table *table, const uint32_t *neighbours, size_t b,
-	struct edge_writer *writer)
+	struct edge_reader *at)
 {
 	struct link_list list = {.count = 0};
-	unsigned open = table->blocks[b].link_count;
+	uint8_t open = table->blocks[b].link_count;
 	for (size_t c = 3 * b * EDGE_BLOCK; c < 3 * block_end(table, b); c++) {
-		size_t owner = c / 3, k = c % 3;
 		uint32_t neighbour = neighbours[c];
 		if (neighbour == NO_RECORD)
 			continue;
-		size_t corner = owner % EDGE_BLOCK + k * EDGE_BLOCK, place = neighbour % EDGE_BLOCK;
-		if (is_near(owner, neighbour)) {
-			*writer->near++ = (uint16_t)(corner + 256 * place);
+		uint8_t corner = (uint8_t)(c / 3 % EDGE_BLOCK + c % 3 * EDGE_BLOCK);
+		uint8_t place = neighbour == EDGE_OPEN ? 0 : neighbour % EDGE_BLOCK;
+		if (is_near(c / 3, neighbour)) {
+			table->near_corners[at->near] = corner;
+			table->near_places[at->near++] = place;
 			continue;
 		}
-		*writer->corner++ = (uint8_t)corner;
-		*writer->end++ =
-			(uint16_t)(neighbour == EDGE_OPEN
-					   ? 256 * open
-					   : 256 * link_to(&list, neighbour / EDGE_BLOCK) + place);
+		table->far_corners[at->far] = corner;
+		table->far_places[at->far] = place;
+		table->far_links[at->far++] =
+			neighbour == EDGE_OPEN ? open
+					       : (uint8_t)link_to(&list, neighbour / EDGE_BLOCK);
 	}
-	memcpy(writer->link, list.blocks, list.count * sizeof(*list.blocks));
-	writer->link += list.count;
+	memcpy(&table->links[at->link], list.blocks, list.count * sizeof(*list.blocks));
+	at->link += list.count;
 }
 
 static void fill_records(struct edge_table *table, const uint32_t *neighbours)
 {
-	struct edge_writer writer = {
-		table->near, table->far_corners, table->far_ends, table->links};
+	struct edge_reader at = {0};
 	for (size_t b = 0; b < edge_table_blocks(table); b++)
-		fill_block(table, neighbours, b, &writer);
+		fill_block(table, neighbours, b, &at);
 }
 
 bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t triangle_count,
@@ -172,9 +187,11 @@ bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t t
 void edge_table_finish(struct edge_table *table)
 {
 	free(table->blocks);
-	free(table->near);
+	free(table->near_corners);
+	free(table->near_places);
 	free(table->far_corners);
-	free(table->far_ends);
+	free(table->far_places);
+	free(table->far_links);
 	free(table->links);
 	*table = (struct edge_table){0};
 }
@@ -186,15 +203,13 @@ size_t edge_table_blocks(const struct edge_table *table)
 
 size_t edge_table_records(const struct edge_table *table)
 {
-	return table->near_count + table->far_count;
+	return table->next_count + table->near_count + table->far_count;
 }
 
 size_t edge_table_bytes(const struct edge_table *table)
 {
-	return edge_table_blocks(table) * sizeof(*table->blocks) +
-	       table->near_count * sizeof(*table->near) +
-	       table->far_count * (sizeof(*table->far_corners) + sizeof(*table->far_ends)) +
-	       table->link_count * sizeof(*table->links);
+	return edge_table_blocks(table) * sizeof(*table->blocks) + 2 * table->near_count +
+	       3 * table->far_count + table->link_count * sizeof(*table->links);
 }
 
 static struct edge_record record_of(size_t first, unsigned corner, uint32_t neighbour)
@@ -207,20 +222,25 @@ static struct edge_record record_of(size_t first, unsigned corner, uint32_t neig
 
 void edge_table_decode(const struct edge_table *table, struct edge_record *records)
 {
-	const uint16_t *near = table->near, *end = table->far_ends;
-	const uint8_t *corner = table->far_corners;
-	const uint32_t *links = table->links;
+	struct edge_reader at = {0};
 	for (size_t b = 0; b < edge_table_blocks(table); b++) {
 		struct edge_block block = table->blocks[b];
 		size_t first = b * EDGE_BLOCK;
-		for (unsigned i = 0; i < block.near_count; i++, near++)
-			*records++ = record_of(first, *near % 256, (uint32_t)first + *near / 256);
-		for (unsigned i = 0; i < block.far_count; i++, end++) {
-			unsigned link = *end / 256;
-			*records++ = record_of(first, *corner++,
-				link == block.link_count ? EDGE_OPEN
-							 : links[link] * EDGE_BLOCK + *end % 256);
+		for (unsigned t = 0; t < EDGE_BLOCK; t++)
+			if (block.next >> t & 1)
+				*records++ = record_of(first, edge_block_corner(&block, t),
+					(uint32_t)first + t + 1);
+		for (size_t i = at.near; i < at.near + block.near_count; i++)
+			*records++ = record_of(first, table->near_corners[i],
+				(uint32_t)first + table->near_places[i]);
+		for (size_t i = at.far; i < at.far + block.far_count; i++) {
+			uint8_t link = table->far_links[i];
+			*records++ = record_of(first, table->far_corners[i],
+				link == block.link_count
+					? EDGE_OPEN
+					: table->links[at.link + link] * EDGE_BLOCK +
+						  table->far_places[i]);
 		}
-		links += block.link_count;
+		edge_reader_skip(&at, block);
 	}
 }

@@ -11,14 +11,17 @@
 
 /** What the triangles of a block own. */
 struct edge_block {
-	uint8_t near_count, far_count; /* records */
+	/* Records of triangles with the one that follows them: bit t of `next`, and of k at the
+	 * owner's corner in `low` and `high`. */
+	uint64_t next, low, high;
+	uint8_t near_count, far_count; /* other records */
 	uint8_t link_count;            /* other blocks that far records lead to */
 	uint8_t open;                  /* 1: one of the far records is open */
 };
 
 /**
- * Which triangles meet where: one record an edge, of 2 bytes when triangles that meet are in the
- * same block, else of 3 and a share of a link, which has 4.
+ * Which triangles meet where: one record an edge, of 3 bits where a triangle meets the next one, of
+ * 2 bytes where it meets another of the same block, else of 3 and a share of a link, which has 4.
  *
  * Corner k of triangle t is also a half-edge: from its vertex k to vertex (k + 1) mod 3. Two
  * half-edges between the same two vertices in opposite directions are paired and share one record,
@@ -30,20 +33,23 @@ struct edge_block {
  * the half-edge that belongs to it. These half-edges are the set's boundary as a chain, so that at
  * each vertex as many end as start: they are closed loops, whatever the mesh.
  *
- * Records are kept per block of 64 triangles, by the owner: near ones, whose neighbour is in the
- * same block, and far ones, the open ones among them. The owner's corner is a byte: triangle in the
- * block + 64 k. A block's links are the other blocks that its far records lead to, each once: where
- * all these and the block itself are on one side of a light, nothing of it is on a silhouette.
+ * Records are kept per block of 64 triangles, by the owner: those with the next triangle, near
+ * ones, whose neighbour is in the same block, and far ones, the open ones among them. The owner's
+ * corner is a byte: triangle in the block + 64 k. A block's links are the other blocks that its far
+ * records lead to, each once: where all these and the block itself are on one side of a light,
+ * nothing of it is on a silhouette.
  */
 struct edge_table {
 	size_t triangle_count;
 	struct edge_block *blocks; /* [edge_table_blocks()] */
+	size_t next_count;
 	size_t near_count;
-	uint16_t *near; /* owner's corner + 256 * neighbour's place in the block */
+	uint8_t *near_corners; /* the owner's corner */
+	uint8_t *near_places;  /* the neighbour's place in the block */
 	size_t far_count;
-	uint8_t *far_corners; /* owner's corner */
-	uint16_t *far_ends; /* neighbour's place in its block + 256 * that block's among the links;
-			       one behind the last: open */
+	uint8_t *far_corners; /* the owner's corner */
+	uint8_t *far_places;  /* the neighbour's place in its block */
+	uint8_t *far_links;   /* that block's among the block's links; one behind the last: open */
 	size_t link_count;
 	uint32_t *links; /* blocks */
 };
@@ -57,6 +63,25 @@ void edge_table_finish(struct edge_table *table);
 size_t edge_table_blocks(const struct edge_table *table);
 size_t edge_table_records(const struct edge_table *table);
 size_t edge_table_bytes(const struct edge_table *table);
+
+/** Where a block's records and links are: start with 0 and skip one block after the other. */
+struct edge_reader {
+	size_t near, far, link;
+};
+
+static inline void edge_reader_skip(struct edge_reader *reader, struct edge_block block)
+{
+	reader->near += block.near_count;
+	reader->far += block.far_count;
+	reader->link += block.link_count;
+}
+
+/** Owner's corner of the record of the block's triangle t with the next. */
+static inline uint8_t edge_block_corner(const struct edge_block *block, unsigned t)
+{
+	unsigned k = (unsigned)(block->low >> t & 1) + 2 * (unsigned)(block->high >> t & 1);
+	return (uint8_t)(t + EDGE_BLOCK * k);
+}
 
 /** A record as a whole: corner 3 * t + k owns it; neighbour is a triangle, or EDGE_OPEN. */
 struct edge_record {

@@ -99,140 +99,141 @@ static inline uint64_t test_planes(const struct face_planes *planes, size_t firs
 	return pack_bytes(above);
 }
 
-/* A light, in all ways that it is looked at. */
-struct facing_test {
-	const float *light;
-	struct plane_test planes;
-	struct cone_light cones;
-};
-
 static int block_size(const struct caster *caster, size_t b)
 {
 	size_t left = caster->triangle_count - b * EDGE_BLOCK;
 	return left < EDGE_BLOCK ? (int)left : EDGE_BLOCK;
 }
 
-static uint64_t facing_word(const struct caster *caster, size_t b, const struct facing_test *test)
+static inline uint64_t facing_word(
+	const struct caster *caster, size_t b, struct plane_test test, const float light[4])
 {
 	size_t first = b * EDGE_BLOCK;
 	int count = block_size(caster, b);
 	int16_t sums[EDGE_BLOCK];
 	bool unsure;
 	/* The constant count is what lets a compiler unroll it into vectors. */
-	uint64_t word = count == EDGE_BLOCK ? test_planes(&caster->planes, first, EDGE_BLOCK,
-						      test->planes, sums, &unsure)
-					    : test_planes(&caster->planes, first, count,
-						      test->planes, sums, &unsure);
+	uint64_t word =
+		count == EDGE_BLOCK
+			? test_planes(&caster->planes, first, EDGE_BLOCK, test, sums, &unsure)
+			: test_planes(&caster->planes, first, count, test, sums, &unsure);
 	if (!unsure)
 		return word;
 	for (int i = 0; i < count; i++)
 		if (sums[i] < SURELY_FACES && sums[i] > SURELY_NOT)
-			word |= (uint64_t)faces(caster, first + (size_t)i, test->light) << i;
+			word |= (uint64_t)faces(caster, first + (size_t)i, light) << i;
 	return word;
 }
 
-/* False, and facing cleared, for a light that is not finite. */
-static bool facing_test_init(struct facing_test *test, const struct caster *caster,
-	const float light[4], uint64_t *facing)
+static uint64_t word_of_side(const struct caster *caster, size_t b, uint8_t side)
 {
-	if (!isfinite(light[0]) || !isfinite(light[1]) || !isfinite(light[2]) ||
-		!isfinite(light[3])) {
-		memset(facing, 0, facing_words(caster) * sizeof(*facing));
-		return false;
-	}
-	*test = (struct facing_test){
-		.light = light, .planes = plane_test_of(&caster->planes, light)};
-	return true;
+	return side == CONE_FACES ? UINT64_MAX >> (EDGE_BLOCK - block_size(caster, b)) : 0;
 }
 
-static void find_all(const struct caster *caster, const struct facing_test *test, uint64_t *facing)
+/* Without cones, or a light that they can tell about, each triangle is tested. */
+static void find_blocks(const struct caster *caster, const float light[4],
+	const struct cone_light *seen, uint64_t *facing)
 {
-	for (size_t b = 0; b < facing_words(caster); b++)
-		facing[b] = facing_word(caster, b, test);
+	size_t blocks = facing_words(caster);
+	struct plane_test test = plane_test_of(&caster->planes, light);
+	for (size_t first = 0; first < blocks; first += CONE_BATCH) {
+		uint8_t sides[CONE_BATCH] = {CONE_MIXED};
+		if (seen != NULL)
+			face_cones_test(&caster->cones, first, seen, sides);
+		for (size_t b = first; b < blocks && b < first + CONE_BATCH; b++) {
+			uint8_t side = sides[b - first];
+			facing[b] = side != CONE_MIXED ? word_of_side(caster, b, side)
+						       : facing_word(caster, b, test, light);
+		}
+	}
+}
+
+static bool is_finite(const float light[4])
+{
+	return isfinite(light[0]) && isfinite(light[1]) && isfinite(light[2]) && isfinite(light[3]);
+}
+
+static void find_none(const struct caster *caster, uint64_t *facing)
+{
+	memset(facing, 0, facing_words(caster) * sizeof(*facing));
 }
 
 void facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing)
 {
-	struct facing_test test;
-	if (facing_test_init(&test, caster, light, facing))
-		find_all(caster, &test, facing);
+	if (is_finite(light))
+		find_blocks(caster, light, NULL, facing);
+	else
+		find_none(caster, facing);
 }
 
 void facing_find(const struct caster *caster, const float light[4], uint64_t *facing)
 {
-	struct facing_test test;
-	if (!facing_test_init(&test, caster, light, facing))
-		return;
-	if (!cone_light_of(&caster->planes, light, &test.cones) || caster->cones.count == 0) {
-		find_all(caster, &test, facing);
-		return;
-	}
-	size_t blocks = facing_words(caster);
-	for (size_t first = 0; first < blocks; first += CONE_BATCH) {
-		uint8_t sides[CONE_BATCH];
-		face_cones_test(&caster->cones, first, &test.cones, sides);
-		for (size_t b = first; b < blocks && b < first + CONE_BATCH; b++)
-			facing[b] = sides[b - first] == CONE_AVERTS ? 0
-				    : sides[b - first] == CONE_FACES
-					    ? UINT64_MAX >> (EDGE_BLOCK - block_size(caster, b))
-					    : facing_word(caster, b, &test);
-	}
+	struct cone_light seen;
+	bool cones = caster->cones.count > 0 && cone_light_of(&caster->planes, light, &seen);
+	if (is_finite(light))
+		find_blocks(caster, light, cones ? &seen : NULL, facing);
+	else
+		find_none(caster, facing);
 }
 
-/* Room for all records of a block, and for one that is written before it is known to count. */
-#define HITS_MAX (3 * EDGE_BLOCK + 1)
 #define LINKS_MAX (3 * EDGE_BLOCK)
 
-/* One byte per bit, 1 where it is set. */
-static inline void spread_bits(uint64_t word, uint8_t bytes[EDGE_BLOCK])
+/* Records whose outcomes fit one word. */
+#define RECORDS_AT_ONCE 64
+
+/* The facing of a block's triangles, one byte for each of their corners. */
+struct corner_facing {
+	uint8_t bytes[3 * EDGE_BLOCK];
+};
+
+static inline void spread_bits(uint64_t word, struct corner_facing *facing)
 {
+	uint8_t *bytes = facing->bytes;
 	for (int i = 0; i < EDGE_BLOCK; i += 8) {
 		/* Bit j of the eight is kept in byte j alone, and then carried to its top. */
 		uint64_t eight = (word >> i & 0xff) * UINT64_C(0x0101010101010101);
 		eight &= UINT64_C(0x8040201008040201);
 		eight = (eight + UINT64_C(0x7f7f7f7f7f7f7f7f)) >> 7 & UINT64_C(0x0101010101010101);
-		for (int j = 0; j < 8; j++)
-			bytes[i + j] = (uint8_t)(eight >> 8 * j);
+		for (int k = 0; k < 3; k++)
+			for (int j = 0; j < 8; j++)
+				bytes[k * EDGE_BLOCK + i + j] = (uint8_t)(eight >> 8 * j);
 	}
 }
 
-/* Lists the owners' corners of records whose triangles differ, without a branch on whether they do,
- * which no processor can predict. Returns how many. */
-static inline unsigned find_near(const uint8_t facing[EDGE_BLOCK], const uint16_t *restrict near,
-	unsigned count, uint8_t *restrict hits)
+/* Which of some records have triangles that differ: the first one's bit is the highest. There is no
+ * branch on each, which no processor could predict. count: 1 to RECORDS_AT_ONCE */
+static inline uint64_t differ_near(const struct corner_facing *facing,
+	const uint8_t *restrict corners, const uint8_t *restrict places, size_t count)
 {
-	unsigned found = 0;
-	for (unsigned i = 0; i < count; i++) {
-		unsigned record = near[i];
-		hits[found] = (uint8_t)record;
-		found += facing[record % EDGE_BLOCK] ^ facing[record / 256];
-	}
-	return found;
+	uint64_t differ = 0;
+	for (size_t i = 0; i < count; i++)
+		differ = 2 * differ + (facing->bytes[corners[i]] ^ facing->bytes[places[i]]);
+	return differ << (RECORDS_AT_ONCE - count);
 }
 
 /* across: the facing of the blocks that the records lead to. */
-static inline unsigned find_far(const uint8_t facing[EDGE_BLOCK], const uint64_t *across,
-	const uint8_t *restrict corners, const uint16_t *restrict ends, unsigned count,
-	uint8_t *restrict hits)
+static inline uint64_t differ_far(const struct corner_facing *facing, const uint64_t *across,
+	const struct edge_table *table, size_t first, size_t count)
 {
-	unsigned found = 0;
-	for (unsigned i = 0; i < count; i++) {
-		unsigned corner = corners[i], end = ends[i];
-		hits[found] = (uint8_t)corner;
-		found += facing[corner % EDGE_BLOCK] ^
-			 (unsigned)(across[end / 256] >> end % EDGE_BLOCK & 1);
-	}
-	return found;
+	const uint8_t *restrict corners = &table->far_corners[first];
+	const uint8_t *restrict places = &table->far_places[first];
+	const uint8_t *restrict links = &table->far_links[first];
+	uint64_t differ = 0;
+	for (size_t i = 0; i < count; i++)
+		differ = 2 * differ +
+			 ((facing->bytes[corners[i]] ^ across[links[i]] >> places[i]) & 1);
+	return differ << (RECORDS_AT_ONCE - count);
 }
 
+/* Which way round depends on the facing without a branch, which no processor could predict. */
 static inline struct silhouette_edge edge_at(
-	const uint32_t *indices, uint64_t facing, uint32_t first, uint8_t corner)
+	const uint32_t *indices, uint64_t facing, uint8_t corner)
 {
 	unsigned t = corner % EDGE_BLOCK, k = corner / EDGE_BLOCK;
-	unsigned next = k == 2 ? 0 : k + 1;
-	bool own = facing >> t & 1;
-	const uint32_t *corners = &indices[3 * ((size_t)first + t)];
-	return (struct silhouette_edge){corners[own ? k : next], corners[own ? next : k]};
+	const uint32_t *corners = &indices[3 * t];
+	uint32_t from = corners[k], to = corners[(0x9u >> 2 * k) % 4];
+	uint32_t swap = (from ^ to) & ((uint32_t)(facing >> t & 1) - 1);
+	return (struct silhouette_edge){from ^ swap, to ^ swap};
 }
 
 /* Fills across with the facing of the blocks that far records lead to, and of none. Returns a word
@@ -249,66 +250,88 @@ static inline uint64_t look_across(const uint64_t *facing, struct edge_block blo
 	return differs;
 }
 
-/* Reads the records of one block after the other. */
-struct edge_reader {
-	const uint16_t *near;
-	const uint8_t *corners;
-	const uint16_t *ends;
-	const uint32_t *links;
+/* Where edges go. */
+struct edge_output {
+	struct silhouette_edge *edges;
+	size_t count, capacity;
 };
 
-static struct edge_reader edge_reader_of(const struct edge_table *table)
+/* A block that is searched. */
+struct block_search {
+	const uint32_t *indices;
+	uint64_t facing;
+	struct edge_output *output;
+};
+
+static inline void write_edge(const struct block_search *search, uint8_t corner)
 {
-	return (struct edge_reader){table->near, table->far_corners, table->far_ends, table->links};
+	struct edge_output *output = search->output;
+	if (output->count < output->capacity)
+		output->edges[output->count] = edge_at(search->indices, search->facing, corner);
+	output->count++;
 }
 
-static inline void skip_block(struct edge_reader *reader, struct edge_block block)
+static inline void write_next(const struct block_search *search, const struct edge_block *block)
 {
-	reader->near += block.near_count;
-	reader->corners += block.far_count;
-	reader->ends += block.far_count;
-	reader->links += block.link_count;
+	uint64_t facing = search->facing, differ = (facing ^ facing >> 1) & block->next;
+	for (; differ != 0; differ &= differ - 1)
+		write_edge(search, edge_block_corner(block, (unsigned)__builtin_ctzll(differ)));
 }
 
-/* The corners of all records of block b whose triangles differ. */
-static inline unsigned find_in_block(const struct edge_table *table, const uint64_t *facing,
-	size_t b, const struct edge_reader *reader, bool skips, uint8_t hits[HITS_MAX])
+static inline void write_records(
+	const struct block_search *search, const uint8_t *corners, uint64_t differ)
 {
-	struct edge_block block = table->blocks[b];
+	while (differ != 0) {
+		int i = __builtin_clzll(differ);
+		differ ^= UINT64_C(1) << (RECORDS_AT_ONCE - 1 - i);
+		write_edge(search, corners[i]);
+	}
+}
+
+static inline size_t at_once(size_t count)
+{
+	return count < RECORDS_AT_ONCE ? count : RECORDS_AT_ONCE;
+}
+
+/* skips: records are passed over where their block's facing and its links' say enough. */
+static inline void find_in_block(const struct caster *caster, const uint64_t *facing, size_t b,
+	struct edge_reader at, bool skips, struct edge_output *output)
+{
+	const struct edge_table *table = &caster->edges;
+	const struct edge_block *block = &table->blocks[b];
+	struct block_search search = {&caster->indices[3 * b * EDGE_BLOCK], facing[b], output};
+	struct corner_facing bytes;
 	uint64_t own = facing[b], across[LINKS_MAX + 1];
 	bool uniform = skips && (own == 0 || own == UINT64_MAX);
-	uint64_t differs = look_across(facing, block, reader->links, own, across);
+	uint64_t differs = look_across(facing, *block, &table->links[at.link], own, across);
 	if (uniform && differs == 0)
-		return 0;
-	uint8_t bytes[EDGE_BLOCK];
-	spread_bits(own, bytes);
-	unsigned found = uniform ? 0 : find_near(bytes, reader->near, block.near_count, hits);
-	return found + find_far(bytes, across, reader->corners, reader->ends, block.far_count,
-			       &hits[found]);
-}
-
-static void write_edges(const struct caster *caster, uint64_t facing, size_t b, const uint8_t *hits,
-	size_t count, struct silhouette_edge *edges)
-{
-	for (size_t i = 0; i < count; i++)
-		edges[i] = edge_at(caster->indices, facing, (uint32_t)(b * EDGE_BLOCK), hits[i]);
+		return;
+	spread_bits(own, &bytes);
+	write_next(&search, block);
+	for (size_t i = 0, n; !uniform && i < block->near_count; i += n) {
+		const uint8_t *corners = &table->near_corners[at.near + i];
+		n = at_once(block->near_count - i);
+		write_records(&search, corners,
+			differ_near(&bytes, corners, &table->near_places[at.near + i], n));
+	}
+	for (size_t i = 0, n; i < block->far_count; i += n) {
+		n = at_once(block->far_count - i);
+		write_records(&search, &table->far_corners[at.far + i],
+			differ_far(&bytes, across, table, at.far + i, n));
+	}
 }
 
 static inline size_t find_edges(const struct caster *caster, const uint64_t *facing, bool skips,
 	struct silhouette_edge *edges, size_t capacity)
 {
-	const struct edge_table *table = &caster->edges;
-	struct edge_reader reader = edge_reader_of(table);
-	size_t count = 0;
-	for (size_t b = 0; b < edge_table_blocks(table); b++) {
-		uint8_t hits[HITS_MAX];
-		size_t found = find_in_block(table, facing, b, &reader, skips, hits);
-		size_t room = count < capacity ? capacity - count : 0;
-		write_edges(caster, facing[b], b, hits, found < room ? found : room, edges + count);
-		count += found;
-		skip_block(&reader, table->blocks[b]);
+	struct edge_output output = {edges, 0, capacity};
+	struct edge_reader at = {0};
+	size_t blocks = edge_table_blocks(&caster->edges);
+	for (size_t b = 0; b < blocks; b++) {
+		find_in_block(caster, facing, b, at, skips, &output);
+		edge_reader_skip(&at, caster->edges.blocks[b]);
 	}
-	return count;
+	return output.count;
 }
 
 size_t silhouette_find(const struct caster *caster, const uint64_t *facing,

@@ -28,6 +28,7 @@ struct growth {
 	uint32_t (*across)[3]; /* a triangle at each side, or NONE */
 	uint8_t *touching;     /* how many of its neighbours are in the block */
 	bool *taken;
+	bool *waiting; /* in the block that is being threaded */
 	uint32_t *order;
 	size_t next; /* the first item that may be free */
 };
@@ -52,6 +53,7 @@ static void growth_finish(struct growth *growth)
 	free(growth->across);
 	free(growth->touching);
 	free(growth->taken);
+	free(growth->waiting);
 	free(growth->order);
 }
 
@@ -64,10 +66,12 @@ static bool growth_init(struct growth *growth, size_t count)
 		.across = array_alloc(count, sizeof(*growth->across)),
 		.touching = array_zalloc(count, sizeof(*growth->touching)),
 		.taken = array_zalloc(count, sizeof(*growth->taken)),
+		.waiting = array_zalloc(count, sizeof(*growth->waiting)),
 		.order = array_alloc(count, sizeof(*growth->order)),
 	};
 	return growth->items != NULL && growth->place != NULL && growth->across != NULL &&
-	       growth->touching != NULL && growth->taken != NULL && growth->order != NULL;
+	       growth->touching != NULL && growth->taken != NULL && growth->waiting != NULL &&
+	       growth->order != NULL;
 }
 
 /* The longest side of the box around the triangles' vertices. */
@@ -264,6 +268,52 @@ static void grow_block(struct growth *growth, size_t begin, size_t size)
 		growth->touching[patch.rim[i]] = 0;
 }
 
+/* How many triangles of the block that are still to be threaded are beside this one. */
+static int count_waiting(const struct growth *growth, uint32_t triangle)
+{
+	int count = 0;
+	for (int k = 0; k < 3; k++) {
+		uint32_t other = growth->across[triangle][k];
+		count += other != NONE && growth->waiting[other];
+	}
+	return count;
+}
+
+/* The waiting one of some triangles that has the fewest others beside it (Warnsdorff's rule), or
+ * NONE. */
+static uint32_t most_secluded(const struct growth *growth, const uint32_t *triangles, size_t count)
+{
+	uint32_t best = NONE;
+	int fewest = 4;
+	for (size_t i = 0; i < count; i++) {
+		if (triangles[i] == NONE || !growth->waiting[triangles[i]])
+			continue;
+		int beside = count_waiting(growth, triangles[i]);
+		if (beside < fewest) {
+			fewest = beside;
+			best = triangles[i];
+		}
+	}
+	return best;
+}
+
+/* Orders a block so that as many triangles as can be are followed by one beside them. */
+static void thread_block(struct growth *growth, size_t begin, size_t size)
+{
+	uint32_t members[EDGE_BLOCK], triangle = NONE;
+	memcpy(members, &growth->order[begin], size * sizeof(*members));
+	for (size_t i = 0; i < size; i++)
+		growth->waiting[members[i]] = true;
+	for (size_t i = 0; i < size; i++) {
+		if (triangle != NONE)
+			triangle = most_secluded(growth, growth->across[triangle], 3);
+		if (triangle == NONE)
+			triangle = most_secluded(growth, members, size);
+		growth->waiting[triangle] = false;
+		growth->order[begin + i] = triangle;
+	}
+}
+
 static bool reorder(const struct growth *growth, uint32_t *indices)
 {
 	uint32_t *copy = array_copy(indices, growth->count, 3 * sizeof(*indices));
@@ -291,6 +341,7 @@ bool triangle_order_blocks(const float (*positions)[3], size_t vertex_count, uin
 			size = EDGE_BLOCK - (first + begin) % EDGE_BLOCK;
 			size = size < count - begin ? size : count - begin;
 			grow_block(&growth, begin, size);
+			thread_block(&growth, begin, size);
 		}
 		ok = reorder(&growth, own);
 	}

@@ -21,7 +21,8 @@ struct subject {
 	struct mesh mesh;
 	uint64_t *facing;
 	struct edge_record *records;
-	struct silhouette_edge *edges;
+	uint64_t *facing_all;
+	struct silhouette_edge *edges, *edges_all;
 	int *balance; /* of each vertex: edges that start less edges that end */
 };
 
@@ -34,9 +35,11 @@ static struct subject subject_of(const struct model *model)
 	size_t records = edge_table_records(&caster->edges);
 	s.facing = malloc(facing_words(caster) * sizeof(*s.facing));
 	s.records = malloc(records * sizeof(*s.records) + 1);
+	s.facing_all = malloc(facing_words(caster) * sizeof(*s.facing_all));
 	s.edges = malloc(records * sizeof(*s.edges) + 1);
+	s.edges_all = malloc(records * sizeof(*s.edges_all) + 1);
 	s.balance = calloc(caster->vertex_count, sizeof(*s.balance));
-	assert_true(s.facing && s.records && s.edges && s.balance);
+	assert_true(s.facing && s.facing_all && s.records && s.edges && s.edges_all && s.balance);
 	edge_table_decode(&caster->edges, s.records);
 	return s;
 }
@@ -46,7 +49,9 @@ static void subject_finish(struct subject *s)
 	mesh_finish(&s->mesh);
 	free(s->facing);
 	free(s->records);
+	free(s->facing_all);
 	free(s->edges);
+	free(s->edges_all);
 	free(s->balance);
 }
 
@@ -87,6 +92,19 @@ static void check_edges(struct subject *s)
 	assert_int_equal(found, count);
 }
 
+/* Whatever is passed over changes nothing. */
+static void check_skips(struct subject *s, const float light[4])
+{
+	const struct caster *caster = &s->mesh.caster;
+	size_t words = facing_words(caster), capacity = edge_table_records(&caster->edges);
+	memset(s->facing_all, 0x5a, words * sizeof(*s->facing_all));
+	facing_find_all(caster, light, s->facing_all);
+	assert_memory_equal(s->facing, s->facing_all, words * sizeof(*s->facing));
+	size_t count = silhouette_find(caster, s->facing, s->edges, capacity);
+	assert_int_equal(silhouette_find_all(caster, s->facing, s->edges_all, capacity), count);
+	assert_memory_equal(s->edges, s->edges_all, count * sizeof(*s->edges));
+}
+
 static void check_loops(struct subject *s)
 {
 	const struct caster *caster = &s->mesh.caster;
@@ -125,6 +143,23 @@ static void point_in_plane(uint64_t *state, const struct subject *s, float w, fl
 	point[3] = w;
 }
 
+/* Just before or behind the tips of a block's cones. */
+static void point_over_block(uint64_t *state, const struct caster *caster, float point[4])
+{
+	const struct face_cones *cones = &caster->cones;
+	if (cones->count == 0)
+		return;
+	size_t b = random_next(state) % cones->count;
+	bool averts = random_next(state) % 2;
+	double from = averts ? -cones->averts_from[b] : cones->faces_from[b];
+	double off = ldexp(random_signed(state), -(int)(random_next(state) % 25));
+	const float *axis[3] = {cones->axis_x, cones->axis_y, cones->axis_z};
+	const float *at[3] = {cones->x, cones->y, cones->z};
+	for (int i = 0; i < 3; i++)
+		point[i] = (float)(caster->planes.center[i] +
+				   caster->planes.radius * (at[i][b] + axis[i][b] * (from + off)));
+}
+
 enum light_kind {
 	NEAR,
 	INSIDE,
@@ -137,6 +172,8 @@ enum light_kind {
 	ALONG_PLANE,
 	ALONG_AXIS,
 	HOMOGENEOUS,
+	OPPOSITE,
+	OVER_BLOCK,
 	LIGHT_KINDS,
 };
 
@@ -168,6 +205,10 @@ static void make_light(uint64_t *state, const struct subject *s, enum light_kind
 	}
 	if (kind == HOMOGENEOUS)
 		l[3] = 3.0f * random_signed(state);
+	if (kind == OPPOSITE)
+		l[3] = -1.0f;
+	if (kind == OVER_BLOCK)
+		point_over_block(state, caster, l);
 }
 
 static void check_model(const char *name, const struct model *model)
@@ -184,6 +225,7 @@ static void check_model(const char *name, const struct model *model)
 		check_facing(&s, light);
 		check_edges(&s);
 		check_loops(&s);
+		check_skips(&s, light);
 	}
 	subject_finish(&s);
 }
@@ -242,8 +284,9 @@ static void nothing_faces_a_light_that_is_not_finite(void **state)
 	(void)state;
 	const float lights[][4] = {{NAN, 0, 0, 1}, {0, INFINITY, 0, 1}, {0, 0, -INFINITY, 0},
 		{0, 5, 0, NAN}, {0, 5, 0, INFINITY}, {0, 5, 0, -INFINITY}, {0, 0, 0, 0}};
-	struct model model = model_sphere(3);
+	struct model model = model_sphere(6);
 	struct subject s = subject_of(&model);
+	assert_true(s.mesh.caster.cones.count > 0);
 	for (size_t i = 0; i < sizeof(lights) / sizeof(lights[0]); i++) {
 		memset(s.facing, 0xff, facing_words(&s.mesh.caster) * sizeof(*s.facing));
 		facing_find(&s.mesh.caster, lights[i], s.facing);
