@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How long the search for silhouettes takes, and against two plainer edge tables. */
+/* How long the search for silhouettes takes, against one that passes nothing over and two plainer
+ * edge tables. */
 #define _GNU_SOURCE /* twalk_r, sched_setaffinity */
 #include "geom/silhouette.h"
 #include "base/array.h"
@@ -47,13 +48,26 @@ struct tree_search {
 struct bench {
 	struct mesh mesh;
 	uint64_t *facing; /* and a word of zeros */
+	uint64_t *facing_all;
 	struct plain_table plain;
 	void *tree; /* of the plain table's edges, by tsearch() */
 	size_t tree_bytes;
-	struct result packed, plain_found, tree_found;
+	struct result packed, all_found, plain_found, tree_found;
 };
 
-enum timed { FACING, PACKED, PLAIN, TREE, BOTH, TIMED };
+/* What is timed; ALL: with nothing passed over. */
+enum timed {
+	FACING,
+	PACKED,
+	FACING_ALL,
+	PACKED_ALL,
+	PLAIN,
+	TREE,
+	BOTH,
+	BOTH_ALL,
+	BOTH_PLAIN,
+	TIMED
+};
 
 static bool has_bit(const uint64_t *words, uint32_t i)
 {
@@ -143,7 +157,9 @@ static void bench_finish(struct bench *bench)
 	tdestroy(bench->tree, keep);
 	free(bench->plain.edges);
 	free(bench->facing);
+	free(bench->facing_all);
 	free(bench->packed.edges);
+	free(bench->all_found.edges);
 	free(bench->plain_found.edges);
 	free(bench->tree_found.edges);
 	mesh_finish(&bench->mesh);
@@ -160,12 +176,14 @@ static bool bench_init(
 	size_t count = edge_table_records(&caster->edges);
 	size_t size = sizeof(struct silhouette_edge);
 	bench->facing = array_zalloc(facing_words(caster) + 1, sizeof(*bench->facing));
+	bench->facing_all = array_zalloc(facing_words(caster), sizeof(*bench->facing_all));
 	bench->packed.edges = array_zalloc(count, size);
+	bench->all_found.edges = array_zalloc(count, size);
 	bench->plain_found.edges = array_zalloc(count, size);
 	bench->tree_found.edges = array_zalloc(count, size);
-	if (bench->facing == NULL || bench->packed.edges == NULL ||
-		bench->plain_found.edges == NULL || bench->tree_found.edges == NULL ||
-		!build_plain(bench) || !build_tree(bench)) {
+	if (bench->facing == NULL || bench->facing_all == NULL || bench->packed.edges == NULL ||
+		bench->all_found.edges == NULL || bench->plain_found.edges == NULL ||
+		bench->tree_found.edges == NULL || !build_plain(bench) || !build_tree(bench)) {
 		bench_finish(bench);
 		return error_no_memory(error);
 	}
@@ -179,22 +197,39 @@ static double now(void)
 	return (double)time.tv_sec * 1e9 + (double)time.tv_nsec;
 }
 
-/* One light with each search in turn; ns. */
-static void search_all(struct bench *bench, const float light[4], double ns[TIMED])
+static void search_once(struct bench *bench, enum timed what, const float light[4])
 {
 	const struct caster *caster = &bench->mesh.caster;
-	double t0 = now();
-	facing_find(caster, light, bench->facing);
-	double t1 = now();
-	bench->packed.count = silhouette_find(
-		caster, bench->facing, bench->packed.edges, edge_table_records(&caster->edges));
-	double t2 = now();
-	search_plain(&bench->plain, bench->facing, &bench->plain_found);
-	double t3 = now();
-	search_tree(bench->tree, bench->facing, &bench->tree_found);
-	double t4 = now();
-	memcpy(ns, (double[TIMED]){t1 - t0, t2 - t1, t3 - t2, t4 - t3, t2 - t0},
-		TIMED * sizeof(*ns));
+	size_t capacity = edge_table_records(&caster->edges);
+	if (what == FACING)
+		facing_find(caster, light, bench->facing);
+	if (what == PACKED)
+		bench->packed.count =
+			silhouette_find(caster, bench->facing, bench->packed.edges, capacity);
+	if (what == FACING_ALL)
+		facing_find_all(caster, light, bench->facing_all);
+	if (what == PACKED_ALL)
+		bench->all_found.count = silhouette_find_all(
+			caster, bench->facing, bench->all_found.edges, capacity);
+	if (what == PLAIN)
+		search_plain(&bench->plain, bench->facing, &bench->plain_found);
+	if (what == TREE)
+		search_tree(bench->tree, bench->facing, &bench->tree_found);
+}
+
+/* One light with each search in turn; ns. Each runs once before, so that none finds the caches as
+ * another left them. */
+static void search_all(struct bench *bench, const float light[4], bool tree, double ns[TIMED])
+{
+	for (enum timed what = FACING; what <= (tree ? TREE : PLAIN); what++) {
+		search_once(bench, what, light);
+		double start = now();
+		search_once(bench, what, light);
+		ns[what] = now() - start;
+	}
+	ns[BOTH] = ns[FACING] + ns[PACKED];
+	ns[BOTH_ALL] = ns[FACING_ALL] + ns[PACKED_ALL];
+	ns[BOTH_PLAIN] = ns[FACING_ALL] + ns[PLAIN];
 }
 
 static int compare_edges(const void *a, const void *b)
@@ -207,8 +242,12 @@ static int compare_edges(const void *a, const void *b)
 
 static bool agree(struct bench *bench)
 {
-	struct result *results[] = {&bench->packed, &bench->plain_found, &bench->tree_found};
-	for (int i = 0; i < 3; i++) {
+	struct result *results[] = {
+		&bench->packed, &bench->all_found, &bench->plain_found, &bench->tree_found};
+	if (memcmp(bench->facing, bench->facing_all,
+		    facing_words(&bench->mesh.caster) * sizeof(*bench->facing)) != 0)
+		return false;
+	for (int i = 0; i < 4; i++) {
 		qsort(results[i]->edges, results[i]->count, sizeof(*results[i]->edges),
 			compare_edges);
 		if (results[i]->count != results[0]->count ||
@@ -229,87 +268,131 @@ static void light_on_circle(const struct caster *caster, int i, float light[4])
 	light[3] = 1.0f;
 }
 
-/* Medians per edge, and the mean length of the silhouettes; false when the searches disagree. */
-static bool measure(struct bench *bench, double ns[TIMED], double *found)
+/* What is found with one light, on average. */
+struct findings {
+	double edges;   /* on the silhouette */
+	double decided; /* share of blocks */
+};
+
+static double decided_share(const struct caster *caster, const float light[4])
+{
+	struct cone_light seen;
+	size_t decided = 0;
+	if (!cone_light_of(&caster->planes, light, &seen))
+		return 0.0;
+	for (size_t b = 0; b < caster->cones.count; b += CONE_BATCH) {
+		uint8_t sides[CONE_BATCH];
+		face_cones_test(&caster->cones, b, &seen, sides);
+		for (int i = 0; i < CONE_BATCH; i++)
+			decided += sides[i] != CONE_MIXED;
+	}
+	return (double)decided / (double)facing_words(caster);
+}
+
+/* Medians per edge; false when the searches disagree. */
+static bool measure(struct bench *bench, double ns[TIMED], struct findings *findings)
 {
 	static double samples[TIMED][SAMPLES];
-	*found = 0.0;
+	*findings = (struct findings){0};
 	for (int s = 0; s < SAMPLES; s++) {
 		float light[4];
-		double once[TIMED];
+		double once[TIMED] = {0};
 		light_on_circle(&bench->mesh.caster, s % LIGHTS, light);
-		search_all(bench, light, once);
+		search_all(bench, light, s < LIGHTS, once);
 		for (int i = 0; i < TIMED; i++)
 			samples[i][s] = once[i];
-		*found += (double)bench->packed.count / SAMPLES;
+		findings->edges += (double)bench->packed.count / SAMPLES;
+		findings->decided += decided_share(&bench->mesh.caster, light) / SAMPLES;
 		if (s < LIGHTS && !agree(bench))
 			return false;
 	}
 	for (int i = 0; i < TIMED; i++)
-		ns[i] = statistics_median(samples[i], SAMPLES) / (double)bench->plain.count;
+		ns[i] = statistics_median(samples[i], i == TREE ? LIGHTS : SAMPLES) /
+			(double)bench->plain.count;
 	return true;
 }
 
-static void print_row(const char *what, double ns, double packed, double bytes)
+static void print_row(const char *what, double ns, double ratio, double bytes)
 {
-	printf("  %-22s %9.3f %9.2f %12.2f\n", what, ns, ns / packed, bytes);
+	printf("  %-34s %9.3f %9.2f %12.2f\n", what, ns, ratio, bytes);
 }
 
-static void report(
-	const struct bench *bench, const char *name, const double ns[TIMED], double found)
+static void report(const struct bench *bench, const char *name, const double ns[TIMED],
+	const struct findings *findings)
 {
-	const struct sm_mesh_stats *stats = &bench->mesh.stats;
+	const struct caster *caster = &bench->mesh.caster;
 	double edges = (double)bench->plain.count;
-	double table = (double)stats->edge_bytes / edges,
-	       planes = (double)stats->plane_bytes / edges;
-	printf("%s: %zu triangles, %.0f edges, %.0f on the silhouette\n", name, stats->triangles,
-		edges, found);
-	printf("  %-22s %9s %9s %12s\n", "search of edges", "ns/edge", "ratio", "bytes/edge");
-	print_row("packed table", ns[PACKED], ns[PACKED], table);
-	print_row("plain 16-byte table", ns[PLAIN], ns[PACKED], (double)sizeof(struct plain_edge));
-	print_row("red-black tree", ns[TREE], ns[PACKED], (double)bench->tree_bytes / edges);
-	print_row("facing of triangles", ns[FACING], ns[PACKED], planes);
-	print_row("facing + packed table", ns[BOTH], ns[PACKED], table + planes);
+	double table = (double)edge_table_bytes(&caster->edges) / edges;
+	double planes = (double)face_planes_bytes(&caster->planes) / edges;
+	double cones = (double)face_cones_bytes(&caster->cones) / edges;
+	double plain = (double)sizeof(struct plain_edge);
+	printf("%s: %zu triangles, %.0f edges, %.0f on the silhouette, %.0f %% of %zu blocks "
+	       "decided\n",
+		name, caster->triangle_count, edges, findings->edges, 100.0 * findings->decided,
+		facing_words(caster));
+	printf("  %-34s %9s %9s %12s\n", "", "ns/edge", "ratio", "bytes/edge");
+	print_row("search", ns[BOTH], 1.0, table + planes + cones);
+	print_row("  facing of triangles", ns[FACING], ns[FACING] / ns[BOTH], planes + cones);
+	print_row("  packed table", ns[PACKED], ns[PACKED] / ns[BOTH], table);
+	print_row("nothing passed over", ns[BOTH_ALL], ns[BOTH_ALL] / ns[BOTH], table + planes);
+	print_row("  facing of triangles", ns[FACING_ALL], ns[FACING_ALL] / ns[BOTH], planes);
+	print_row("  packed table", ns[PACKED_ALL], ns[PACKED_ALL] / ns[BOTH], table);
+	print_row("facing, and plain 16-byte table", ns[BOTH_PLAIN], ns[BOTH_PLAIN] / ns[BOTH],
+		plain + planes);
+	print_row("red-black tree, edges alone", ns[TREE], ns[TREE] / ns[BOTH],
+		(double)bench->tree_bytes / edges);
 }
 
 static int run(const char *name, struct model *model)
 {
 	struct bench bench;
 	struct sm_error error;
-	double ns[TIMED], found;
+	struct findings findings;
+	double ns[TIMED];
 	if (!bench_init(&bench, name, model, &error)) {
 		fprintf(stderr, "bench-silhouette: %s\n", error.text);
 		return error.status;
 	}
-	bool ok = measure(&bench, ns, &found);
+	bool ok = measure(&bench, ns, &findings);
 	if (ok)
-		report(&bench, name, ns, found);
+		report(&bench, name, ns, &findings);
 	else
 		fprintf(stderr, "bench-silhouette: %s: the searches disagree\n", name);
 	bench_finish(&bench);
 	return ok ? SM_OK : SM_ERROR_MACHINE;
 }
 
-static int run_file(const char *path)
+/* Runs a model with each edge split into `parts`. */
+static int run_split(const char *name, struct model *model, unsigned parts)
+{
+	char title[4096];
+	struct model split = model_split(model, parts);
+	snprintf(title, sizeof(title), "%s, edges split by %u", name, parts);
+	int status = run(parts == 1 ? name : title, &split);
+	model_finish(&split);
+	return status;
+}
+
+static int run_file(const char *path, unsigned parts)
 {
 	struct model model;
 	if (!model_load(&model, path)) {
 		fprintf(stderr, "bench-silhouette: %s: cannot be read\n", path);
 		return SM_ERROR_INPUT;
 	}
-	int status = run(path, &model);
+	int status = run_split(path, &model, parts);
 	model_finish(&model);
 	return status;
 }
 
-static int run_default(void)
+static int run_default(unsigned parts)
 {
 	struct model model;
 	const char *path = SMOOTHIE_SHARED "/models/toy-car.glb";
 	bool loaded = model_load(&model, path);
 	if (!loaded)
 		model = model_sphere(7);
-	int status = run(loaded ? path : "sphere", &model);
+	int status = run_split(loaded ? path : "sphere", &model, parts);
 	model_finish(&model);
 	return status;
 }
@@ -324,26 +407,37 @@ static void stay_on_this_core(void)
 		perror("bench-silhouette: sched_setaffinity");
 }
 
+static void print_usage(FILE *out)
+{
+	fprintf(out,
+		"Usage: bench-silhouette [-s PARTS] [MODEL]...\n"
+		"Times the search for silhouettes on one core, for %d lights on a circle, %d\n"
+		"times each, but the tree once. Prints medians. Without MODEL: toy-car.glb when it "
+		"is there, or a\n"
+		"sphere.\n"
+		"  -s PARTS  split each edge into PARTS, 1 to 9, and so each triangle\n"
+		"Exit status: 1 when the searches disagree, 2 when a MODEL cannot be used.\n",
+		LIGHTS, ROUNDS);
+}
+
 int main(int argc, char **argv)
 {
 	static const struct option options[] = {{"help", no_argument, NULL, 'h'}, {0}};
-	int option = getopt_long(argc, argv, "h", options, NULL);
-	if (option != -1) {
-		fprintf(option == 'h' ? stdout : stderr,
-			"Usage: bench-silhouette [MODEL]...\n"
-			"Times the search for silhouettes on one core, for %d lights on a circle, "
-			"%d "
-			"times each.\nPrints medians. Without MODEL: toy-car.glb when it is there, "
-			"or a sphere.\nExit status: 1 when the three searches disagree, 2 when a "
-			"MODEL cannot be used.\n",
-			LIGHTS, ROUNDS);
+	unsigned parts = 1;
+	int option;
+	while ((option = getopt_long(argc, argv, "hs:", options, NULL)) != -1) {
+		if (option == 's' && optarg[0] >= '1' && optarg[0] <= '9' && optarg[1] == '\0') {
+			parts = (unsigned)(optarg[0] - '0');
+			continue;
+		}
+		print_usage(option == 'h' ? stdout : stderr);
 		return option == 'h' ? SM_OK : SM_ERROR_INPUT;
 	}
 	stay_on_this_core();
 	int status = SM_OK;
 	if (optind == argc)
-		status = run_default();
+		status = run_default(parts);
 	for (int i = optind; i < argc && status == SM_OK; i++)
-		status = run_file(argv[i]);
+		status = run_file(argv[i], parts);
 	return status;
 }

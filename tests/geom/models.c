@@ -207,6 +207,52 @@ struct model model_soup(size_t vertex_count, size_t triangle_count)
 	return model;
 }
 
+/* A point of a triangle, where `at` sums up to `parts`; the same one from both sides of an edge. */
+static void split_point(const struct model *model, const uint32_t v[3], const unsigned at[3],
+	unsigned parts, float point[3])
+{
+	for (int i = 0; i < 3; i++) {
+		/* Sums of floats times small integers are exact, whatever their order. */
+		double sum = 0.0;
+		for (int k = 0; k < 3; k++)
+			sum += (double)at[k] * model->positions[v[k]][i];
+		point[i] = (float)(sum / parts);
+	}
+}
+
+/* Appends a triangle between corners of a triangle's grid. */
+static void split_triangle(struct model *split, const struct model *model, const uint32_t v[3],
+	const unsigned corners[3][2], unsigned parts)
+{
+	for (int k = 0; k < 3; k++) {
+		unsigned i = corners[k][0], j = corners[k][1];
+		split_point(model, v, (unsigned[3]){parts - i - j, i, j}, parts,
+			split->positions[split->vertex_count]);
+		split->indices[split->index_count++] = (uint32_t)split->vertex_count++;
+	}
+}
+
+struct model model_split(const struct model *model, unsigned parts)
+{
+	size_t triangles = model->index_count / 3 * parts * parts;
+	struct model split = model_alloc(3 * triangles, triangles);
+	split.vertex_count = split.index_count = 0;
+	for (size_t t = 0; t < model->index_count; t += 3) {
+		for (unsigned i = 0; i < parts; i++) {
+			for (unsigned j = 0; i + j < parts; j++) {
+				const unsigned ahead[3][2] = {{i, j}, {i + 1, j}, {i, j + 1}};
+				const unsigned back[3][2] = {
+					{i + 1, j}, {i + 1, j + 1}, {i, j + 1}};
+				split_triangle(&split, model, &model->indices[t], ahead, parts);
+				if (i + j + 1 < parts)
+					split_triangle(
+						&split, model, &model->indices[t], back, parts);
+			}
+		}
+	}
+	return split;
+}
+
 static void visit_and_finish(const char *name, struct model model,
 	void (*visit)(const char *name, const struct model *model))
 {

@@ -33,6 +33,10 @@ struct model model_doubled(bool turned);
 /** Triangles between random vertices, some of them with a vertex twice. */
 struct model model_soup(size_t vertex_count, size_t triangle_count);
 
+/** The model with each edge split into `parts` and each triangle, in its own plane, into as many
+ *  squared. */
+struct model model_split(const struct model *model, unsigned parts);
+
 /** All meshes of a file as one, each in its own space; false if it cannot be read. */
 bool model_load(struct model *model, const char *path);
 
