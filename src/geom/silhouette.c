@@ -8,9 +8,11 @@ size_t facing_words(const struct caster *caster)
 	return edge_table_blocks(&caster->edges);
 }
 
-/* A light as the quantised planes see it; all zero when they cannot. */
+/* A light as the quantised planes see it; all zero when they cannot. Once for each triangle of a
+ * block: what is the same in each round of a loop, Clang widens before it, and then finds no
+ * instruction for the upper half of a product. */
 struct plane_test {
-	int16_t x, y, z, d;
+	int16_t x[EDGE_BLOCK], y[EDGE_BLOCK], z[EDGE_BLOCK], d[EDGE_BLOCK];
 };
 
 /* The sum over nx x, ny y, nz z, d d of the products' upper halves. Above or below these, it has
@@ -29,7 +31,8 @@ struct plane_test {
  * below 2^-30 of the same scale, at any scale of light and mesh; with a w other than 0, 1 or -1,
  * light.xyz - w p0 could round by more. The sum and its parts stay within 16 bits.
  */
-static struct plane_test plane_test_of(const struct face_planes *planes, const float light[4])
+static void plane_test_init(
+	struct plane_test *test, const struct face_planes *planes, const float light[4])
 {
 	double w = light[3];
 	double m[3];
@@ -37,15 +40,14 @@ static struct plane_test plane_test_of(const struct face_planes *planes, const f
 		m[i] = light[i] - w * planes->center[i];
 	double length = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) + fabs(w) * planes->radius;
 	/* No length: neither light nor mesh has an extent, so that nothing faces. */
-	if ((w != 0.0 && fabs(w) != 1.0) || length == 0.0)
-		return (struct plane_test){0};
-	double scale = FACE_PLANE_ONE / length;
-	return (struct plane_test){
-		.x = (int16_t)lrint(m[0] * scale),
-		.y = (int16_t)lrint(m[1] * scale),
-		.z = (int16_t)lrint(m[2] * scale),
-		.d = (int16_t)lrint(-w * planes->radius * scale),
-	};
+	bool tells = (w == 0.0 || fabs(w) == 1.0) && length > 0.0;
+	double scale = tells ? FACE_PLANE_ONE / length : 0.0;
+	for (int i = 0; i < EDGE_BLOCK; i++) {
+		test->x[i] = (int16_t)lrint(m[0] * scale);
+		test->y[i] = (int16_t)lrint(m[1] * scale);
+		test->z[i] = (int16_t)lrint(m[2] * scale);
+		test->d[i] = (int16_t)lrint(-w * planes->radius * scale);
+	}
 }
 
 static bool faces(const struct caster *caster, size_t t, const float light[4])
@@ -82,19 +84,20 @@ static inline int16_t upper_half(int16_t a, int16_t b)
 /* Tests count triangles, 64 at most, from the first: a bit for each that surely faces the light;
  * and whether any is unsure, with the sums that tell which. */
 static inline uint64_t test_planes(const struct face_planes *planes, size_t first, int count,
-	struct plane_test test, int16_t sums[EDGE_BLOCK], bool *unsure)
+	const struct plane_test *test, int16_t sums[EDGE_BLOCK], bool *unsure)
 {
 	const int16_t *nx = &planes->nx[first], *ny = &planes->ny[first];
 	const int16_t *nz = &planes->nz[first], *d = &planes->d[first];
 	uint8_t above[EDGE_BLOCK] = {0};
-	uint8_t near = 0;
-	for (int i = 0; i < count; i++) {
-		int16_t sum = (int16_t)(upper_half(nx[i], test.x) + upper_half(ny[i], test.y) +
-					upper_half(nz[i], test.z) + upper_half(d[i], test.d));
-		sums[i] = sum;
-		above[i] = sum >= SURELY_FACES;
-		near |= (uint8_t)((sum < SURELY_FACES) & (sum > SURELY_NOT));
-	}
+	int16_t near = 0;
+	/* Loops apart, each over values of one width. */
+	for (int i = 0; i < count; i++)
+		sums[i] = (int16_t)(upper_half(nx[i], test->x[i]) + upper_half(ny[i], test->y[i]) +
+				    upper_half(nz[i], test->z[i]) + upper_half(d[i], test->d[i]));
+	for (int i = 0; i < count; i++)
+		near |= (int16_t)(sums[i] < SURELY_FACES && sums[i] > SURELY_NOT);
+	for (int i = 0; i < count; i++)
+		above[i] = sums[i] >= SURELY_FACES;
 	*unsure = near != 0;
 	return pack_bytes(above);
 }
@@ -106,7 +109,7 @@ static int block_size(const struct caster *caster, size_t b)
 }
 
 static inline uint64_t facing_word(
-	const struct caster *caster, size_t b, struct plane_test test, const float light[4])
+	const struct caster *caster, size_t b, const struct plane_test *test, const float light[4])
 {
 	size_t first = b * EDGE_BLOCK;
 	int count = block_size(caster, b);
@@ -135,7 +138,8 @@ static void find_blocks(const struct caster *caster, const float light[4],
 	const struct cone_light *seen, uint64_t *facing)
 {
 	size_t blocks = facing_words(caster);
-	struct plane_test test = plane_test_of(&caster->planes, light);
+	struct plane_test test;
+	plane_test_init(&test, &caster->planes, light);
 	for (size_t first = 0; first < blocks; first += CONE_BATCH) {
 		uint8_t sides[CONE_BATCH] = {CONE_MIXED};
 		if (seen != NULL)
@@ -143,7 +147,7 @@ static void find_blocks(const struct caster *caster, const float light[4],
 		for (size_t b = first; b < blocks && b < first + CONE_BATCH; b++) {
 			uint8_t side = sides[b - first];
 			facing[b] = side != CONE_MIXED ? word_of_side(caster, b, side)
-						       : facing_word(caster, b, test, light);
+						       : facing_word(caster, b, &test, light);
 		}
 	}
 }
