@@ -107,7 +107,7 @@ struct sm_mesh_stats {
 	size_t closed_parts, open_parts;
 	size_t turned_triangles; /**< as they cast shadows: each part is wound one way */
 	size_t edge_bytes;       /**< packed edge table */
-	size_t plane_bytes;      /**< face planes for the facing test */
+	size_t plane_bytes;      /**< face planes and cones for the facing test */
 };
 
 SM_API void sm_scene_get_mesh_stats(

@@ -263,7 +263,8 @@ static void count_up(struct mesh *mesh)
 		.open_parts = caster->found.open_parts,
 		.turned_triangles = caster->found.turned,
 		.edge_bytes = edge_table_bytes(&caster->edges),
-		.plane_bytes = face_planes_bytes(&caster->planes),
+		.plane_bytes =
+			face_planes_bytes(&caster->planes) + face_cones_bytes(&caster->cones),
 	};
 }
 

@@ -188,6 +188,21 @@ static void check_sheets(const struct caster *caster, const float light[4], cons
 	free(back);
 }
 
+/* What is passed over changes nothing. */
+static void check_all(const struct caster *caster, const float light[4], const uint64_t *facing,
+	const struct silhouette_edge *edges, size_t count)
+{
+	uint64_t *facing_all = malloc(facing_words(caster) * sizeof(*facing_all));
+	struct silhouette_edge *edges_all = malloc(count * sizeof(*edges_all));
+	expect(facing_all != NULL && (edges_all != NULL || count == 0));
+	facing_find_all(caster, light, facing_all);
+	expect(memcmp(facing, facing_all, facing_words(caster) * sizeof(*facing)) == 0);
+	expect(silhouette_find_all(caster, facing, edges_all, count) == count);
+	expect(count == 0 || memcmp(edges, edges_all, count * sizeof(*edges)) == 0);
+	free(facing_all);
+	free(edges_all);
+}
+
 static void check_shadow(
 	const struct caster *caster, const float light[4], const struct fin_params *params)
 {
@@ -196,6 +211,7 @@ static void check_shadow(
 	struct silhouette_edge *edges = malloc(count * sizeof(*edges));
 	expect(count <= edge_table_records(&caster->edges) && (edges != NULL || count == 0));
 	expect(silhouette_find(caster, facing, edges, count) == count);
+	check_all(caster, light, facing, edges, count);
 	check_loops(caster, edges, count);
 	check_sheets(caster, light, facing);
 	struct fin_params two_sided = *params;
