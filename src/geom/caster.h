@@ -31,7 +31,8 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 void caster_finish(struct caster *caster);
 
 /** Moves vertices: positions as for caster_init(), of as many vertices. What was welded stays so,
- *  and windings, parts and edges are those of the first positions. */
+ *  and windings, parts and edges are those of the first positions. The cones are dropped: they
+ *  take longer to make than triangles take to test. */
 void caster_move(struct caster *caster, const float (*positions)[3]);
 
 /** Of memory, in all. */

@@ -236,6 +236,28 @@ static void equals_the_definition(void **state)
 	models_visit(SMOOTHIE_SHARED, check_model);
 }
 
+static void holds_after_vertices_moved(void **state)
+{
+	(void)state;
+	struct model model = model_sphere(5);
+	struct subject s = subject_of(&model);
+	uint64_t random = 13;
+	for (size_t v = 0; v < s.mesh.vertex_count; v++)
+		s.mesh.positions[v][0] *= 1.0f + s.mesh.positions[v][2];
+	caster_move(&s.mesh.caster, (const float(*)[3])s.mesh.positions);
+	assert_int_equal(s.mesh.caster.cones.count, 0);
+	for (int kind = 0; kind < LIGHT_KINDS; kind++) {
+		float light[4];
+		make_light(&random, &s, (enum light_kind)kind, light);
+		check_facing(&s, light);
+		check_edges(&s);
+		check_loops(&s);
+		check_skips(&s, light);
+	}
+	subject_finish(&s);
+	model_finish(&model);
+}
+
 /* The loops close for any set of triangles, also for one that no light could make. */
 static void check_any_set(const char *name, const struct model *model)
 {
@@ -353,6 +375,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(equals_the_definition),
 		cmocka_unit_test(closes_loops_for_any_set),
+		cmocka_unit_test(holds_after_vertices_moved),
 		cmocka_unit_test(holds_at_any_scale_and_place),
 		cmocka_unit_test(nothing_faces_a_light_that_is_not_finite),
 		cmocka_unit_test(a_mesh_in_one_point_faces_nowhere),
