@@ -35,8 +35,7 @@ static bool find_chains(struct edge_chains *chains, const struct sm_scene *scene
 static bool measure(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, uint32_t tiles, struct measurement *found)
 {
-	const struct edge_grid_options options = {
-		tiles, MAP_SIZE, 8, {GATHER_RUNS_MAX, GATHER_VERTICES_MAX}};
+	const struct edge_grid_options options = {tiles, MAP_SIZE, 8, GATHER_ROOM};
 	double chains[ROUNDS], all[ROUNDS];
 	for (int round = 0; round < ROUNDS; round++) {
 		double start = processor_ms();

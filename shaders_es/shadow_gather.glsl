@@ -234,6 +234,12 @@ struct sums {
 	int hits;
 };
 
+sums no_sums()
+{
+	uvec2 none = uvec2(0u);
+	return sums(0, 0, 0.0, counters(none, none, none, none, none), 0);
+}
+
 // An edge as seen from the receiver: ends beside it, how far before it they are, and the doubled area
 // between them and the receiver, above 0 where that has the edge's sheet on its side.
 struct edge {
@@ -291,6 +297,63 @@ bool is_narrow(edge edge, receiver r)
 }
 #endif
 
+// Walks along the edges between vertices. One between the origin and the receiver is where a sheet
+// starts or ends. In whole lists, leaves them where the rest is behind `deepest`.
+void walk_edges(inout sums sum, receiver r, origin from, int first, int end, float deepest)
+{
+	vec2 path = r.s.xy - from.at;
+	edge edge;
+	float across_a = 0.0, across_b = 0.0, depth_a = 0.0, depth_b = 0.0;
+	float most = disc_scale * disc_scale / (r.shrink * r.shrink);
+	edge.b = vec2(0.0);
+	edge.before_b = 0.0;
+	for (int i = first; i < end;) {
+		bool hit = false;
+		int turn = 0;
+		// To the next edge that may be before the disc: where some lanes of a processor
+		// still look for theirs the others wait here, not at each edge.
+		for (; i < end && !hit && turn == 0; i++) {
+			vec4 v = texelFetch(edge_map, ivec2(i & 1023, i >> TABLE_ROW_BITS), 0);
+#ifdef RUNS
+			bool begins = i == first;
+#else
+			bool begins = v.w > 0.0;
+			end = begins && deepest <= v.w - 1.0 ? i : end;
+#endif
+			across_a = across_b;
+			depth_a = depth_b;
+			edge.a = edge.b;
+			edge.before_a = edge.before_b;
+			depth_b = v.z;
+			edge.b = v.xy - r.s.xy;
+			edge.before_b = r.s.z - v.z - dot(r.tilt, edge.b);
+			across_b = cross_of(path, edge.b);
+			edge.side = cross_of(edge.a, edge.b);
+			float side_origin = edge.side - across_a + across_b;
+			turn = int(edge.side >= 0.0) - int(side_origin >= 0.0);
+			turn = !begins && (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
+#ifdef POINTS
+			narrow_penumbra = narrow_penumbra || !begins && is_narrow(edge, r);
+#endif
+			vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
+			hit = !begins && max(edge.before_a, edge.before_b) > 0.0 &&
+				edge.side * edge.side < most * dot(along, along) &&
+				!leads_away(edge.a, edge.before_a, along, most) &&
+				!leads_away(edge.b, edge.before_b, -along, most);
+		}
+		float above_a = from.depth - depth_a + dot(from.slope, edge.a);
+		float above_b = from.depth - depth_b + dot(from.slope, edge.b);
+		float past = abs(across_a - across_b);
+		float depth = above_b * across_a - above_a * across_b;
+		depth = across_a < across_b ? -depth : depth;
+		sum.winding += depth > 0.0 ? turn : 0;
+		sum.own += depth <= 0.0 && depth >= -from.own_depth * past ? turn : 0;
+		if (hit)
+			add_edge(sum, edge, r);
+	}
+}
+
+#ifdef RUNS
 // Widens boxes, in steps, for what floats round.
 const float BOX_SLACK = 0.25;
 
@@ -315,23 +378,14 @@ reach reach_of(receiver r, origin from)
 		margin + BOX_SLACK, all ? 2.0 * BOX_STEPS : least + BOX_SLACK);
 }
 
-// Walks along the tile's runs. An edge between the origin and the receiver is one that a sheet starts
-// or ends at.
 sums walk(receiver r, origin from, int first, int end)
 {
-	sums sum = sums(0, 0, 0.0, counters(uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u), uvec2(0u)), 0);
-	vec2 path = r.s.xy - from.at;
-	edge edge;
-	float across_b = 0.0, above_b = 0.0;
-	float most = disc_scale * disc_scale / (r.shrink * r.shrink);
+	sums sum = no_sums();
 	float deepest = from.depth + from.own_depth;
 	reach reach = reach_of(r, from);
-	edge.b = vec2(0.0);
-	edge.before_b = 0.0;
 	for (int run = first; run < end;) {
-		bool near = false;
-		int i = 0, begin = 0, stop = 0;
-		for (; run < end && !near; run++) {
+		int begin = 0, stop = 0;
+		for (; run < end && stop == begin; run++) {
 			uvec4 found = texelFetch(
 				edge_runs, ivec2(run & 1023, run >> TABLE_ROW_BITS), 0);
 			float start = uintBitsToFloat(found.y);
@@ -341,51 +395,22 @@ sums walk(receiver r, origin from, int first, int end)
 			float within = (r.s.z - start) * reach.per_depth + reach.margin;
 			within = max(within, reach.least);
 			end = deepest > start ? end : run;
-			near = deepest > start && dot(off, off) <= within * within;
+			bool near = deepest > start && dot(off, off) <= within * within;
 			begin = int(found.x & 0xffffffu);
-			i = begin;
-			stop = near ? i + int(found.x >> 24) + 1 : i;
+			stop = near ? begin + int(found.x >> 24) + 1 : begin;
 		}
-		while (i < stop) {
-			bool hit = false;
-			// To the next edge that may be before the disc: where some lanes of a processor
-			// still look for theirs the others wait here, not at each edge.
-			for (; i < stop && !hit; i++) {
-				vec4 v = texelFetch(edge_map, ivec2(i & 1023, i >> TABLE_ROW_BITS), 0);
-				float across_a = across_b;
-				edge.a = edge.b;
-				edge.before_a = edge.before_b;
-				edge.b = v.xy - r.s.xy;
-				edge.before_b = r.s.z - v.z - dot(r.tilt, edge.b);
-				float above_a = above_b;
-				above_b = from.depth - v.z + dot(from.slope, edge.b);
-				across_b = cross_of(path, edge.b);
-				edge.side = cross_of(edge.a, edge.b);
-				if (i == begin)
-					continue;
-				float past = abs(across_a - across_b);
-				float depth = above_b * across_a - above_a * across_b;
-				depth = across_a < across_b ? -depth : depth;
-				float side_origin = edge.side - across_a + across_b;
-				int turn = int(edge.side >= 0.0) - int(side_origin >= 0.0);
-				turn = (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
-				sum.winding += depth > 0.0 ? turn : 0;
-				sum.own += depth <= 0.0 && depth >= -from.own_depth * past ? turn : 0;
-#ifdef POINTS
-				narrow_penumbra = narrow_penumbra || is_narrow(edge, r);
-#endif
-				vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
-				hit = max(edge.before_a, edge.before_b) > 0.0 &&
-					edge.side * edge.side < most * dot(along, along) &&
-					!leads_away(edge.a, edge.before_a, along, most) &&
-					!leads_away(edge.b, edge.before_b, -along, most);
-			}
-			if (hit)
-				add_edge(sum, edge, r);
-		}
+		walk_edges(sum, r, from, begin, stop, deepest);
 	}
 	return sum;
 }
+#else
+sums walk(receiver r, origin from, int first, int end)
+{
+	sums sum = no_sums();
+	walk_edges(sum, r, from, first, end, from.depth + from.own_depth);
+	return sum;
+}
+#endif
 
 float gathered_visibility(vec3 p)
 {

@@ -47,6 +47,7 @@ static const struct {
 	FLAG(PEEL),
 	FLAG(POINTS),
 	FLAG(CELLS),
+	FLAG(RUNS),
 #undef FLAG
 };
 
@@ -149,7 +150,7 @@ static const struct {
 			.flags = FLAG_LIT | FLAG_SHADOWED | SHADOW_FLAGS | FLAG_SEPARATE_DEPTH |
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
-				 FLAG_POINTS | FLAG_CELLS,
+				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -302,6 +303,7 @@ static bool surface_is_valid(uint64_t flags)
 	       implies(flags, FLAG_ALPHA_DEPTH, FLAG_SEPARATE_DEPTH) &&
 	       implies(flags, FLAG_SPLIT, FLAG_VSM) &&
 	       implies(flags, FLAG_POINTS, FLAG_VISIBILITY) &&
+	       implies(flags, FLAG_RUNS, FLAG_EDGES) &&
 	       excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&

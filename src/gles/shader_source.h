@@ -69,9 +69,10 @@ enum program_kind {
 #define FLAG_PEEL (UINT64_C(1) << 32)
 #define FLAG_POINTS (UINT64_C(1) << 33)
 #define FLAG_CELLS (UINT64_C(1) << 34)
+#define FLAG_RUNS (UINT64_C(1) << 35)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 35)
+#define FLAG_END (UINT64_C(1) << 36)
 
 struct program_key {
 	enum program_kind kind;

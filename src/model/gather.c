@@ -48,7 +48,7 @@ static bool init(void *state, const struct model_light *light, struct sm_error *
 		.tiles = GATHER_TILES,
 		.map_size = (uint32_t)gather->light.size,
 		.subpixel_bits = light->snap_bits > 0 ? (uint32_t)light->snap_bits : 8,
-		.room = {GATHER_RUNS_MAX, GATHER_VERTICES_MAX},
+		.room = GATHER_ROOM,
 	};
 	gather->snap = ldexp(0.5 / gather->light.size, -(int)options.subpixel_bits);
 	gather->masks = array_alloc(DISC_MASK_ANGLES * DISC_MASK_DISTANCES, sizeof(*gather->masks));
@@ -430,17 +430,18 @@ static void add_chord(struct sums *sums, const struct gather *gather, const stru
 static void walk(struct sums *sums, const struct gather *gather, const struct eye *eye,
 	const struct origin *origin, const struct edge_tile *tile)
 {
-	for (uint32_t i = 0; i < edge_tile_count(tile); i++) {
-		const struct edge_run *run = &gather->grid.runs[tile->first + i];
-		const struct edge_vertex *vertices = &gather->grid.vertices[edge_run_first(run)];
-		struct end a = end_of(eye, &vertices[0]);
-		for (uint32_t k = 1; k <= edge_run_count(run); k++) {
+	for (uint32_t i = 0; i < edge_tile_stretches(&gather->grid, tile); i++) {
+		struct edge_stretch stretch = edge_tile_stretch(&gather->grid, tile, i);
+		struct end a, b = end_of(eye, &stretch.vertices[0]);
+		for (uint32_t k = 1; k <= stretch.edges; k++) {
 			struct chord chord;
-			struct end b = end_of(eye, &vertices[k]);
+			a = b;
+			b = end_of(eye, &stretch.vertices[k]);
+			if (stretch.vertices[k].start != 0.0f)
+				continue;
 			cross_edge(sums, eye, origin, &a, &b);
 			if (find_chord(&chord, eye, &a, &b))
 				add_chord(sums, gather, &chord);
-			a = b;
 		}
 	}
 }

@@ -81,7 +81,9 @@ static size_t fill_tiles(struct edge_grid *grid)
 		grid->of[t] = (struct edge_tile){
 			.first = first,
 			.count_winding = count | (uint32_t)winding << 24,
-			.nearest = count == 0 ? 2.0f : lists->runs[first].start,
+			.nearest = count == 0     ? 2.0f
+				   : lists->whole ? lists->copies[first].start - 1.0f
+						  : lists->runs[first].start,
 			.farthest = grid->depths.farthest[t],
 		};
 		filled += count != 0;
@@ -94,7 +96,7 @@ bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 {
 	assert(options->tiles >= TILES_MIN && options->tiles <= EDGE_GRID_TILES_MAX &&
 		(options->tiles & (options->tiles - 1)) == 0 && options->room.runs < 1 << 24 &&
-		options->room.vertices < 1 << 24);
+		options->room.vertices < 1 << 24 && options->room.copies < 1 << 24);
 	uint32_t screen = options->map_size << options->subpixel_bits;
 	if (!add_objects(grid, scene, frame, options))
 		return false;
@@ -108,9 +110,10 @@ bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 		return false;
 	edge_winding_find(&grid->chains, screen, grid->tiles, grid->winding);
 	size_t filled = fill_tiles(grid);
-	grid->vertices = grid->lists.vertices;
+	grid->whole = grid->lists.whole;
+	grid->vertices = grid->whole ? grid->lists.copies : grid->lists.vertices;
 	grid->runs = grid->lists.runs;
-	grid->vertex_count = grid->lists.vertex_count;
+	grid->vertex_count = grid->whole ? grid->lists.copy_count : grid->lists.vertex_count;
 	grid->run_count = grid->lists.run_count;
 	grid->edge_count = grid->chains.edge_count;
 	grid->dropped = grid->lists.dropped;

@@ -6,9 +6,9 @@
 
 /** What receivers in a tile of the light's screen need; RGBA32UI. */
 struct edge_tile {
-	uint32_t first;         /* of its runs */
-	uint32_t count_winding; /* runs (24 bits) + (128 + winding number at the tile's centre,
-				   behind all casters) << 24 */
+	uint32_t first;         /* of its runs, or, in whole lists, vertices */
+	uint32_t count_winding; /* how many of those (24 bits) + (128 + winding number at the tile's
+				   centre, behind all casters) << 24 */
 	float nearest;          /* depth that none of its edges is before; 2: no edges */
 	float farthest;         /* depth that no caster over the tile and its margin is behind; 0:
 				   no caster */
@@ -43,6 +43,7 @@ struct edge_grid_options {
 struct edge_grid {
 	uint32_t tiles;       /* a side */
 	struct edge_tile *of; /* [tiles * tiles], row after row from the lower left; owned */
+	bool whole;           /* lists are of vertices, not of runs */
 	const struct edge_vertex *vertices; /* [vertex_count], of lists */
 	const struct edge_run *runs;        /* [run_count], of lists */
 	size_t vertex_count, run_count;
@@ -57,6 +58,29 @@ struct edge_grid {
 	int32_t *winding;
 	size_t tile_capacity, winding_capacity;
 };
+
+/** Vertices that follow each other; edges lead between them but to those with a start. */
+struct edge_stretch {
+	const struct edge_vertex *vertices; /* [edges + 1] */
+	uint32_t edges;
+};
+
+/** How many stretches a tile's list is of. */
+static inline uint32_t edge_tile_stretches(
+	const struct edge_grid *grid, const struct edge_tile *tile)
+{
+	return grid->whole ? edge_tile_count(tile) > 0 : edge_tile_count(tile);
+}
+
+static inline struct edge_stretch edge_tile_stretch(
+	const struct edge_grid *grid, const struct edge_tile *tile, uint32_t i)
+{
+	if (grid->whole)
+		return (struct edge_stretch){
+			&grid->vertices[tile->first], edge_tile_count(tile) - 1};
+	const struct edge_run *run = &grid->runs[tile->first + i];
+	return (struct edge_stretch){&grid->vertices[edge_run_first(run)], edge_run_count(run)};
+}
 
 /** Finds the silhouettes of all casters as the light sees them, and lists them. Everything written
  *  is finite. False: out of memory. */

@@ -335,6 +335,64 @@ static void sort_lists(struct edge_lists *lists, size_t tiles)
 	}
 }
 
+static float start_at(float depth)
+{
+	float start = 1.0f + depth;
+	return start - 1.0f > depth ? nextafterf(start, 0.0f) : start;
+}
+
+/* Gives each list its own vertices, those of its runs. There is room for them. */
+static void copy_lists(struct edge_lists *lists, size_t tiles)
+{
+	struct edge_vertex *to = lists->copies;
+	const struct edge_run *run = lists->runs;
+	for (size_t t = 0; t < tiles; t++) {
+		const struct edge_run *end = &lists->runs[lists->first[t + 1]];
+		lists->first[t] = (uint32_t)(to - lists->copies);
+		for (; run < end; run++) {
+			uint32_t count = edge_run_count(run) + 1;
+			memcpy(to, &lists->vertices[edge_run_first(run)], count * sizeof(*to));
+			to->start = start_at(run->start);
+			to += count;
+		}
+	}
+	lists->first[tiles] = (uint32_t)(to - lists->copies);
+	lists->run_count = 0;
+}
+
+/* Edges of a list, in the mean, up to which a look at each is less than one at the boxes of runs,
+ * most of which have a part in what is seen there. */
+#define SHORT_LIST 24
+
+/* Whether most lists that were collected are short. */
+static bool are_short(const struct edge_lists *lists, size_t tiles)
+{
+	size_t filled = 0;
+	for (size_t t = 0; t < tiles; t++)
+		filled += lists->ends[t].place > 0;
+	return lists->entry_count <= SHORT_LIST * filled;
+}
+
+/* Writes what has been collected. */
+static enum edge_lists_result make(
+	struct edge_lists *lists, const struct edge_chains *chains, size_t tiles, uint32_t screen)
+{
+	/* A run has a vertex more than edges. */
+	lists->copy_count = lists->whole ? lists->entry_count + lists->run_count : 0;
+	if (!array_reserve((void **)&lists->vertices, &lists->vertex_capacity, lists->vertex_count,
+		    sizeof(*lists->vertices)) ||
+		!array_reserve((void **)&lists->runs, &lists->run_capacity, lists->run_count,
+			sizeof(*lists->runs)) ||
+		!array_reserve((void **)&lists->copies, &lists->copy_capacity, lists->copy_count,
+			sizeof(*lists->copies)))
+		return EDGE_LISTS_NO_MEMORY;
+	write_lists(lists, chains, tiles, screen);
+	sort_lists(lists, tiles);
+	if (lists->whole)
+		copy_lists(lists, tiles);
+	return EDGE_LISTS_MADE;
+}
+
 enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct edge_chains *chains,
 	struct edge_cover *cover, uint32_t screen, struct edge_room room, bool drop)
 {
@@ -350,19 +408,17 @@ enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct ed
 	if (result != EDGE_LISTS_MADE)
 		return result;
 	lists->edge_count = lists->entry_count;
-	if (!array_reserve((void **)&lists->vertices, &lists->vertex_capacity, lists->vertex_count,
-		    sizeof(*lists->vertices)) ||
-		!array_reserve((void **)&lists->runs, &lists->run_capacity, lists->run_count,
-			sizeof(*lists->runs)))
-		return EDGE_LISTS_NO_MEMORY;
-	write_lists(lists, chains, tiles, screen);
-	sort_lists(lists, tiles);
-	return EDGE_LISTS_MADE;
+	bool short_lists = are_short(lists, tiles);
+	lists->whole = short_lists && lists->entry_count + lists->run_count <= room.copies;
+	if (short_lists && !lists->whole && !drop)
+		return EDGE_LISTS_FULL;
+	return make(lists, chains, tiles, screen);
 }
 
 void edge_lists_finish(struct edge_lists *lists)
 {
 	free(lists->vertices);
+	free(lists->copies);
 	free(lists->runs);
 	free(lists->first);
 	free(lists->entries);
@@ -373,7 +429,7 @@ void edge_lists_finish(struct edge_lists *lists)
 
 size_t edge_lists_bytes(const struct edge_lists *lists)
 {
-	return lists->vertex_capacity * sizeof(*lists->vertices) +
+	return (lists->vertex_capacity + lists->copy_capacity) * sizeof(*lists->vertices) +
 	       lists->run_capacity * sizeof(*lists->runs) +
 	       (lists->first_capacity + lists->entry_end_capacity) * sizeof(uint32_t) +
 	       lists->end_capacity * sizeof(*lists->ends) +

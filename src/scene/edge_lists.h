@@ -6,9 +6,11 @@
 
 /** A point of a chain of silhouette edges; as a texture holds it, RGBA32F. */
 struct edge_vertex {
-	float x, y;   /* window coordinates of the light's screen, on the raster grid */
-	float depth;  /* window depth */
-	float unused; /* 0 */
+	float x, y;  /* window coordinates of the light's screen, on the raster grid */
+	float depth; /* window depth */
+	float start; /* 0: an edge leads here from the vertex before. Else, in whole lists, none
+			does, and nothing from here to the list's end is before depth start - 1
+			(rounded down) */
 };
 
 /** Most edges of a run. */
@@ -39,10 +41,12 @@ static inline uint32_t edge_run_count(const struct edge_run *run)
 /** Silhouette edges by the tiles they concern. Zero is empty; memory is kept from one search to the
  *  next. */
 struct edge_lists {
+	bool whole;                   /* each list has its own vertices, and there are no runs */
 	struct edge_vertex *vertices; /* [vertex_count]: of all edges that are listed; owned */
+	struct edge_vertex *copies;   /* [copy_count]: of whole lists, tile after tile; owned */
 	struct edge_run *runs;        /* [run_count]: tile after tile; owned */
-	uint32_t *first;              /* [tiles * tiles + 1]: of a tile's runs; owned */
-	size_t vertex_count, run_count;
+	uint32_t *first; /* [tiles * tiles + 1]: of a tile's runs, or vertices of its own; owned */
+	size_t vertex_count, copy_count, run_count;
 	size_t edge_count; /* in all lists together */
 	size_t dropped;    /* that there was no room for */
 	/* Working memory; owned */
@@ -50,22 +54,24 @@ struct edge_lists {
 	uint32_t *entry_ends;  /* of edges, by their first points */
 	struct list_end *ends; /* [tiles * tiles] */
 	size_t entry_count;
-	size_t vertex_capacity, run_capacity, first_capacity, entry_capacity, entry_end_capacity,
-		end_capacity;
+	size_t vertex_capacity, copy_capacity, run_capacity, first_capacity, entry_capacity,
+		entry_end_capacity, end_capacity;
 };
 
-/** What lists may have in all, each below 2^24. */
+/** What lists may have in all, each below 2^24: runs and the vertices of those, or if they are
+ * whole vertices of their own. */
 struct edge_room {
-	size_t runs, vertices;
+	size_t runs, vertices, copies;
 };
 
 /** Whether the lists fit. */
 enum edge_lists_result { EDGE_LISTS_FULL, EDGE_LISTS_MADE, EDGE_LISTS_NO_MEMORY };
 
 /**
- * Lists the edges of all chains. Within a list runs are in the order of their nearest points. If
- * there is too little room: FULL, or with `drop` lists of the edges that are nearest to the light.
- * screen: steps of the raster grid a side.
+ * Lists the edges of all chains. Within a list runs are in the order of their nearest points, also
+ * where it is whole: as lists are if most are short, where boxes tell little. If there is too
+ * little room: FULL, or with `drop` lists of the edges that are nearest to the light. screen: steps
+ * of the raster grid a side.
  */
 enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct edge_chains *chains,
 	struct edge_cover *cover, uint32_t screen, struct edge_room room, bool drop);

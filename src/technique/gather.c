@@ -198,7 +198,7 @@ static void upload_table(struct gl *gl, struct list_table *table, const struct t
 	GLsizei full = (GLsizei)(count / TABLE_ROW), rest = (GLsizei)(count % TABLE_ROW);
 	GLsizei rows = full + (rest > 0);
 	gl->BindTexture(GL_TEXTURE_2D, table->texture);
-	if (rows > table->rows) {
+	if (rows > table->rows || rows == 0) {
 		table->rows =
 			rows + rows / 2 < most / TABLE_ROW ? rows + rows / 2 : most / TABLE_ROW;
 		gl->TexImage2D(GL_TEXTURE_2D, 0, as->internal, TABLE_ROW, table->rows, 0,
@@ -219,7 +219,7 @@ static void upload_edges(struct gather *gather, struct gl *gl)
 	const struct edge_grid *grid = &gather->grid;
 	upload_table(gl, &gather->runs, &runs, grid->runs, grid->run_count, GATHER_RUNS_MAX);
 	upload_table(gl, &gather->vertices, &vertices, grid->vertices, grid->vertex_count,
-		GATHER_VERTICES_MAX);
+		grid->whole ? GATHER_COPIES_MAX : GATHER_VERTICES_MAX);
 }
 
 static void upload_tiles(struct gather *gather, struct gpu *gpu)
@@ -275,7 +275,7 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 		.tiles = GATHER_TILES,
 		.map_size = (uint32_t)gather->depth.size,
 		.subpixel_bits = gather->subpixel_bits,
-		.room = {GATHER_RUNS_MAX, GATHER_VERTICES_MAX},
+		.room = GATHER_ROOM,
 	};
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
@@ -339,7 +339,9 @@ static bool gather_prepare(void *state, struct gpu *gpu, const struct sm_scene *
 static uint64_t gather_surface_flags(const void *state)
 {
 	const struct gather *gather = state;
-	return gather->point ? FLAG_HARD : FLAG_EDGES;
+	if (gather->point)
+		return FLAG_HARD;
+	return gather->grid.whole ? FLAG_EDGES : FLAG_EDGES | FLAG_RUNS;
 }
 
 static const struct screen_grid *gather_soft_grid(const void *state)

@@ -13,9 +13,15 @@
 #define GATHER_LAYERS 3
 /** A side, where lists do not grow too long. */
 #define GATHER_TILES 128
-/** Of all lists, runs of edges and their vertices: 1 MB and 512 KB. */
+/** Of all lists, 1.5 MB: runs of edges and their vertices, or vertices alone where lists are whole.
+ */
 #define GATHER_RUNS_MAX (64 * 1024)
 #define GATHER_VERTICES_MAX (32 * 1024)
+#define GATHER_COPIES_MAX (96 * 1024)
+#define GATHER_ROOM                                                     \
+	{                                                               \
+		GATHER_RUNS_MAX, GATHER_VERTICES_MAX, GATHER_COPIES_MAX \
+	}
 
 /** Texels a side of the layers, for a map of map_size >= 1: a power of two, so that points of the
  *  raster grid are floats. Else a winding number may be off where an edge runs through a texel's

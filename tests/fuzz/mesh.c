@@ -264,27 +264,39 @@ static void check_frame(const struct light_frame *frame, const struct sm_scene *
 	expect(frame->pole >= 1.0f && isfinite(frame->pole));
 }
 
-/* Runs of finite edges, the nearest first, and nothing before what their starts say. */
+/* Finite edges, the nearest first, and nothing before what starts say. */
+static void check_stretch(const struct edge_stretch *stretch, float start)
+{
+	expect(stretch->edges >= 1);
+	for (uint32_t i = 0; i <= stretch->edges; i++) {
+		const struct edge_vertex *at = &stretch->vertices[i];
+		expect(isfinite(at->x) && isfinite(at->y) && isfinite(at->depth));
+		expect(at->start == 0.0f || at->start - 1.0f >= start);
+		start = at->start == 0.0f ? start : at->start - 1.0f;
+		expect(at->depth >= start);
+	}
+}
+
 static void check_list(const struct edge_grid *grid, const struct edge_tile *tile)
 {
-	const struct edge_run *runs = &grid->runs[tile->first];
-	expect(runs[0].start == tile->nearest);
-	for (uint32_t i = 0; i < edge_tile_count(tile); i++) {
-		uint32_t first = edge_run_first(&runs[i]), count = edge_run_count(&runs[i]);
-		expect(i == 0 || runs[i].start >= runs[i - 1].start);
-		expect(count >= 1 && count <= EDGE_RUN_MAX && first + count < grid->vertex_count);
-		for (const struct edge_vertex *at = &grid->vertices[first];
-			at <= &grid->vertices[first + count]; at++) {
-			expect(isfinite(at->x) && isfinite(at->y));
-			expect(isfinite(at->depth) && at->depth >= runs[i].start);
+	float start = tile->nearest;
+	for (uint32_t i = 0; i < edge_tile_stretches(grid, tile); i++) {
+		struct edge_stretch stretch = edge_tile_stretch(grid, tile, i);
+		expect(stretch.vertices + stretch.edges < grid->vertices + grid->vertex_count);
+		if (!grid->whole) {
+			const struct edge_run *run = &grid->runs[tile->first + i];
+			expect(stretch.edges <= EDGE_RUN_MAX && run->start >= start);
+			start = run->start;
 		}
+		check_stretch(&stretch, start);
 	}
 }
 
 static void check_edge_grid(const struct edge_grid *grid, const struct edge_room *room)
 {
-	size_t sum = 0;
-	expect(grid->run_count <= room->runs && grid->vertex_count <= room->vertices);
+	size_t sum = 0, count = grid->whole ? grid->vertex_count : grid->run_count;
+	expect(grid->run_count <= room->runs);
+	expect(grid->vertex_count <= (grid->whole ? room->copies : room->vertices));
 	expect(grid->tiles >= 32 && grid->tiles <= EDGE_GRID_TILES_MAX);
 	for (size_t t = 0; t < (size_t)grid->tiles * grid->tiles; t++) {
 		const struct edge_tile *tile = &grid->of[t];
@@ -294,18 +306,21 @@ static void check_edge_grid(const struct edge_grid *grid, const struct edge_room
 			continue;
 		expect(tile->first == sum);
 		sum += edge_tile_count(tile);
-		expect(sum <= grid->run_count);
+		expect(sum <= count);
 		check_list(grid, tile);
 	}
-	expect(sum == grid->run_count);
+	expect(sum == count);
 }
 
 /* With room for all, and for few; as finely as Mesa's drivers draw, and as coarsely as may be. */
 static void check_edges(const struct sm_scene *scene)
 {
 	static const struct edge_grid_options options[] = {
-		{.tiles = 128, .map_size = 512, .subpixel_bits = 8, .room = {100000, 100000}},
-		{.tiles = 64, .map_size = 3, .subpixel_bits = 1, .room = {100, 100}},
+		{.tiles = 128,
+			.map_size = 512,
+			.subpixel_bits = 8,
+			.room = {100000, 100000, 100000}},
+		{.tiles = 64, .map_size = 3, .subpixel_bits = 1, .room = {100, 100, 100}},
 	};
 	struct light_frame frame;
 	struct edge_grid grid = {0};

@@ -45,6 +45,7 @@ static const struct {
 	{FLAG_SEEN, "SEEN"},
 	{FLAG_EDGES, "EDGES"},
 	{FLAG_PEEL, "PEEL"},
+	{FLAG_RUNS, "RUNS"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -150,13 +151,14 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 			       3 * plain +   /* pcss: plain depths, and one of three comparisons */
 			       comparison +  /* maps */
 			       2 * 2 + /* variance maps, filtered or fetched, whole or split */
-			       2 +     /* gather, for each pixel or what cells leave out */
+			       2 * 2 + /* gather, for each pixel or what cells leave out, whole
+					  lists or runs */
 			       1;      /* cells */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
 	/* What was seen before has no picture of visibility; points without light or shadow, or
-	 * with gather. */
-	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 3);
+	 * with gather of either lists. */
+	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 4);
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
 }
 
@@ -222,6 +224,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_LIT | FLAG_SHADOWED | FLAG_EDGES |
 					  FLAG_CELLS | FLAG_POINTS},
 		{PROGRAM_DEPTH_MAP, FLAG_PEEL},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_RUNS},
 		{PROGRAM_BLUR, FLAG_RECEIVER_MAP}, /* of what is blurred already */
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_TEXTURED},

@@ -123,34 +123,24 @@ static void a_light_inside_a_caster_sees_what_is_beyond_the_near_plane(void **st
 		model_finish((struct model *)&rows[i].model);
 }
 
-/* Whether a vertex is nearer than a depth. */
-static bool is_nearer(const struct edge_vertex *edge, float depth)
-{
-	return fminf(edge[0].depth, edge[1].depth) <= depth;
-}
-
-/* Edges in all lists that are not behind a depth. */
-static size_t count_entries(const struct edge_grid *grid, float depth)
+/* Of the edges in all lists: how many are not behind a depth, and how deep the nearest ends are. */
+static size_t count_entries(const struct edge_grid *grid, float depth, float *deepest)
 {
 	size_t before = 0;
-	for (size_t i = 0; i < grid->run_count; i++) {
-		const struct edge_vertex *edge = &grid->vertices[edge_run_first(&grid->runs[i])];
-		for (uint32_t k = 0; k < edge_run_count(&grid->runs[i]); k++)
-			before += is_nearer(&edge[k], depth);
-	}
+	*deepest = 0.0f;
+	for (uint32_t t = 0; t < grid->tiles * grid->tiles; t++)
+		for (uint32_t i = 0; i < edge_tile_stretches(grid, &grid->of[t]); i++) {
+			struct edge_stretch stretch = edge_tile_stretch(grid, &grid->of[t], i);
+			for (uint32_t k = 0; k < stretch.edges; k++) {
+				const struct edge_vertex *edge = &stretch.vertices[k];
+				if (edge[1].start != 0.0f)
+					continue;
+				float nearest = fminf(edge[0].depth, edge[1].depth);
+				before += nearest <= depth;
+				*deepest = fmaxf(*deepest, nearest);
+			}
+		}
 	return before;
-}
-
-/* The nearest end of the edge whose nearest end is deepest. */
-static float deepest_listed(const struct edge_grid *grid)
-{
-	float deepest = 0.0f;
-	for (size_t i = 0; i < grid->run_count; i++) {
-		const struct edge_vertex *edge = &grid->vertices[edge_run_first(&grid->runs[i])];
-		for (uint32_t k = 0; k < edge_run_count(&grid->runs[i]); k++)
-			deepest = fmaxf(deepest, fminf(edge[k].depth, edge[k + 1].depth));
-	}
-	return deepest;
 }
 
 /* With too little room, the nearest edges are listed, and the others counted. */
@@ -164,15 +154,17 @@ static void assert_nearest_win(struct world *world, const struct edge_grid *all,
 	assert_lists_are_in_order(world, "debris without room");
 	assert_winding_counts_sheets(world, "debris without room");
 	assert_true(world->grid.dropped > 0);
-	assert_int_equal(
-		count_entries(&world->grid, 2.0f) + world->grid.dropped, count_entries(all, 2.0f));
+	float deepest, all_deepest;
+	assert_int_equal(count_entries(&world->grid, 2.0f, &deepest) + world->grid.dropped,
+		count_entries(all, 2.0f, &all_deepest));
 	if (!some)
 		return;
 	/* No edge is missing that is nearer, by a thousandth of all depths. */
 	assert_true(world->grid.run_count > options->room.runs / 2 ||
 		    world->grid.vertex_count > options->room.vertices / 2);
-	float deepest = deepest_listed(&world->grid) - 1e-3f;
-	assert_int_equal(count_entries(&world->grid, deepest), count_entries(all, deepest));
+	float kept = deepest - 1e-3f;
+	assert_int_equal(count_entries(&world->grid, kept, &deepest),
+		count_entries(all, kept, &all_deepest));
 }
 
 static void fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long(void **state)
@@ -184,9 +176,10 @@ static void fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long(void **st
 	world_load(&world, "builtin:debris:600", wide, 1);
 	world_load(&all, "builtin:debris:600", wide, 1);
 	options.tiles = 32;
+	options.room.copies = 0;
 	world_find(&all, &options);
-	assert_int_equal(count_entries(&all.grid, 1.0f), count_entries(&all.grid, 2.0f));
-	const struct edge_room enough = {all.grid.run_count, all.grid.vertex_count};
+	assert_false(all.grid.whole);
+	const struct edge_room enough = {all.grid.run_count, all.grid.vertex_count, 0};
 
 	options.tiles = 128;
 	options.room = enough;
@@ -197,19 +190,42 @@ static void fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long(void **st
 	size_t parts[] = {2, 10, 100, 1000};
 	for (size_t i = 0; i < sizeof(parts) / sizeof(parts[0]); i++) {
 		options.tiles = 32;
-		options.room = (struct edge_room){enough.runs / parts[i], enough.vertices};
+		options.room = (struct edge_room){enough.runs / parts[i], enough.vertices, 0};
 		assert_nearest_win(&world, &all.grid, &options, parts[i] <= 10);
-		options.room = (struct edge_room){enough.runs, enough.vertices / parts[i]};
+		options.room = (struct edge_room){enough.runs, enough.vertices / parts[i], 0};
 		assert_nearest_win(&world, &all.grid, &options, parts[i] <= 10);
 	}
 	for (size_t few = 0; few < 4; few++) {
-		options.room = (struct edge_room){few, enough.vertices};
+		options.room = (struct edge_room){few, enough.vertices, 0};
 		assert_nearest_win(&world, &all.grid, &options, false);
-		options.room = (struct edge_room){enough.runs, few};
+		options.room = (struct edge_room){enough.runs, few, 0};
 		assert_nearest_win(&world, &all.grid, &options, false);
 	}
 	world_finish(&world);
 	world_finish(&all);
+}
+
+/* Short lists are whole if they fit, on fewer tiles if need be. */
+static void short_lists_have_their_own_vertices(void **state)
+{
+	(void)state;
+	struct world world;
+	struct edge_grid_options options = {128, MAP_SIZE, SUBPIXEL_BITS, ROOM};
+	world_load(&world, "builtin:fence", NULL, 0);
+	world_find(&world, &options);
+	assert_true(world.grid.whole && world.grid.tiles == 128);
+	assert_grid(&world, "fence, whole lists");
+	options.room.copies = world.grid.vertex_count;
+	world_find(&world, &options);
+	assert_true(world.grid.whole && world.grid.tiles == 128);
+	options.room.copies--;
+	world_find(&world, &options);
+	assert_true(world.grid.whole && world.grid.tiles == 64);
+	options.room.copies = 1;
+	world_find(&world, &options);
+	assert_true(!world.grid.whole && world.grid.tiles == 32);
+	assert_grid(&world, "fence, runs");
+	world_finish(&world);
 }
 
 static void assert_nothing_listed(const struct world *world)
@@ -262,14 +278,16 @@ static void assert_near_tile(const struct edge_grid *grid, uint32_t t, float mar
 {
 	float tiles = (float)grid->tiles, side = 1.0f + 2.0f * margin;
 	float left = (float)(t % grid->tiles) - margin, bottom = (float)(t / grid->tiles) - margin;
-	for (uint32_t i = 0; i < edge_tile_count(&grid->of[t]); i++) {
-		const struct edge_run *run = &grid->runs[grid->of[t].first + i];
-		const struct edge_vertex *edge = &grid->vertices[edge_run_first(run)];
-		for (uint32_t k = 0; k < edge_run_count(run); k++)
-			assert_true(overlap(edge[k].x * tiles, edge[k + 1].x * tiles, left,
-					    left + side) &&
-				    overlap(edge[k].y * tiles, edge[k + 1].y * tiles, bottom,
-					    bottom + side));
+	for (uint32_t i = 0; i < edge_tile_stretches(grid, &grid->of[t]); i++) {
+		struct edge_stretch stretch = edge_tile_stretch(grid, &grid->of[t], i);
+		for (uint32_t k = 0; k < stretch.edges; k++) {
+			const struct edge_vertex *edge = &stretch.vertices[k];
+			assert_true(
+				edge[1].start != 0.0f ||
+				(overlap(edge[0].x * tiles, edge[1].x * tiles, left, left + side) &&
+					overlap(edge[0].y * tiles, edge[1].y * tiles, bottom,
+						bottom + side)));
+		}
 	}
 }
 
@@ -361,6 +379,7 @@ int main(void)
 		cmocka_unit_test(whatever_the_mesh_winding_numbers_count_its_sheets),
 		cmocka_unit_test(a_light_inside_a_caster_sees_what_is_beyond_the_near_plane),
 		cmocka_unit_test(fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long),
+		cmocka_unit_test(short_lists_have_their_own_vertices),
 		cmocka_unit_test(without_casters_or_receivers_nothing_is_listed),
 		cmocka_unit_test(a_point_light_lists_edges_where_they_are),
 		cmocka_unit_test(everything_is_finite),

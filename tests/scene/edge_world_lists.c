@@ -8,25 +8,36 @@
 
 #include <cmocka.h>
 
-/* The vertices of a run are no nearer than it says, and within its box where they are on the
- * screen. */
-static void assert_run_holds(const struct edge_grid *grid, const struct edge_run *run,
-	const struct edge_tile *tile, const char *what)
+/* The vertices of a run are within its box where they are on the screen. */
+static void assert_box_holds(const struct edge_run *run, const struct edge_stretch *stretch)
 {
-	const struct edge_vertex *vertices = &grid->vertices[edge_run_first(run)];
-	assert_in_range(edge_run_count(run), 1, EDGE_RUN_MAX);
-	assert_true(edge_run_first(run) + edge_run_count(run) < grid->vertex_count);
-	for (uint32_t i = 0; i <= edge_run_count(run); i++) {
-		const float at[2] = {vertices[i].x, vertices[i].y};
-		assert_true(isfinite(at[0]) && isfinite(at[1]) && isfinite(vertices[i].depth));
-		if (!(vertices[i].depth >= run->start) || !(vertices[i].depth >= tile->nearest))
-			fail_msg("%s: depth %g, start %g", what, (double)vertices[i].depth,
-				(double)run->start);
+	assert_in_range(stretch->edges, 1, EDGE_RUN_MAX);
+	for (uint32_t i = 0; i <= stretch->edges; i++) {
+		const float at[2] = {stretch->vertices[i].x, stretch->vertices[i].y};
+		assert_true(stretch->vertices[i].start == 0.0f);
 		for (int axis = 0; axis < 2; axis++) {
 			float steps = fminf(fmaxf(at[axis], 0.0f), 1.0f) * EDGE_BOX_STEPS;
 			assert_true(steps >= (float)run->min[axis] &&
 				    steps <= (float)run->max[axis] + 1.0f);
 		}
+	}
+}
+
+/* None of the vertices from start to start is nearer than that says, which is more each time. */
+static void assert_starts_hold(
+	const struct edge_stretch *stretch, float start, const char *what, uint32_t t)
+{
+	for (uint32_t i = 0; i <= stretch->edges; i++) {
+		const struct edge_vertex *at = &stretch->vertices[i];
+		assert_true(isfinite(at->x) && isfinite(at->y) && isfinite(at->depth));
+		if (at->start != 0.0f) {
+			if (at->start - 1.0f < start || i == stretch->edges || at[1].start != 0.0f)
+				fail_msg("%s: tile %u: chain at %u", what, t, i);
+			start = at->start - 1.0f;
+		}
+		if (!(at->depth >= start))
+			fail_msg("%s: tile %u: depth %g, start %g", what, t, (double)at->depth,
+				(double)start);
 	}
 }
 
@@ -36,19 +47,26 @@ void assert_lists_are_in_order(const struct world *world, const char *what)
 	size_t sum = 0;
 	for (uint32_t t = 0; t < grid->tiles * grid->tiles; t++) {
 		const struct edge_tile *tile = &grid->of[t];
-		const struct edge_run *runs = &grid->runs[tile->first];
-		uint32_t count = edge_tile_count(tile);
-		assert_true(count > 0 || tile->nearest == 2.0f);
-		assert_true(count == 0 || tile->first == sum);
-		sum += count;
-		assert_true(sum <= grid->run_count);
-		for (uint32_t i = 0; i < count; i++) {
-			if (i > 0 && !(runs[i].start >= runs[i - 1].start))
-				fail_msg("%s: tile %u: run %u", what, t, i);
-			assert_run_holds(grid, &runs[i], tile, what);
+		float nearest = tile->nearest;
+		assert_int_equal(edge_tile_count(tile) == 0, nearest == 2.0f);
+		assert_true(edge_tile_count(tile) == 0 || tile->first == sum);
+		sum += edge_tile_count(tile);
+		assert_true(sum <= (grid->whole ? grid->vertex_count : grid->run_count));
+		for (uint32_t i = 0; i < edge_tile_stretches(grid, tile); i++) {
+			struct edge_stretch stretch = edge_tile_stretch(grid, tile, i);
+			const struct edge_run *run = &grid->runs[tile->first + i];
+			assert_true(stretch.vertices + stretch.edges <
+				    grid->vertices + grid->vertex_count);
+			if (!grid->whole) {
+				assert_true(run->start >= nearest);
+				nearest = run->start;
+				assert_box_holds(run, &stretch);
+			}
+			assert_starts_hold(&stretch, nearest, what, t);
 		}
 	}
-	assert_int_equal(sum, grid->run_count);
+	assert_int_equal(sum, grid->whole ? grid->vertex_count : grid->run_count);
+	assert_true(!grid->whole || grid->run_count == 0);
 }
 
 static struct edge_vertex vertex_of(const struct chain_point *point)
@@ -67,11 +85,13 @@ static int times_listed(const struct edge_grid *grid, uint32_t t, const struct c
 {
 	struct edge_vertex a = vertex_of(&edge[0]), b = vertex_of(&edge[1]);
 	int times = 0;
-	for (uint32_t i = 0; i < edge_tile_count(&grid->of[t]); i++) {
-		const struct edge_run *run = &grid->runs[grid->of[t].first + i];
-		const struct edge_vertex *from = &grid->vertices[edge_run_first(run)];
-		for (const struct edge_vertex *at = from; at < from + edge_run_count(run); at++)
-			times += same_place(&at[0], &a) && same_place(&at[1], &b);
+	for (uint32_t i = 0; i < edge_tile_stretches(grid, &grid->of[t]); i++) {
+		struct edge_stretch stretch = edge_tile_stretch(grid, &grid->of[t], i);
+		for (uint32_t k = 0; k < stretch.edges; k++) {
+			const struct edge_vertex *at = &stretch.vertices[k];
+			times += at[1].start == 0.0f && same_place(&at[0], &a) &&
+				 same_place(&at[1], &b);
+		}
 	}
 	return times;
 }
