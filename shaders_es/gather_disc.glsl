@@ -58,10 +58,11 @@ struct counters {
 	uvec2 ones, twos, fours, eights, sixteens;
 };
 
-// Adds 1 where the mask has a bit, or with sign = all bits takes 1 away.
-void count(inout counters c, uvec2 mask, uint sign)
+// Adds 1 where the mask has a bit, and 2 where `two` has one; or with sign = all bits takes that away.
+// No bit is in both.
+void count(inout counters c, uvec2 mask, uvec2 two, uint sign)
 {
-	uvec2 carry = (c.ones ^ sign) & mask;
+	uvec2 carry = (c.ones ^ sign) & mask | two;
 	c.ones ^= mask;
 	mask = (c.twos ^ sign) & carry;
 	c.twos ^= carry;

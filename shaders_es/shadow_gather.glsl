@@ -245,6 +245,7 @@ sums no_sums()
 struct edge {
 	vec2 a, b;
 	float before_a, before_b, side;
+	float sheets; // that it is the boundary of: 1, or 2
 };
 
 // The part of the disc behind an edge is that between the edge's ends less the triangle before it.
@@ -266,11 +267,12 @@ void add_edge(inout sums sum, edge edge, receiver r)
 		return;
 	float sign = edge.side >= 0.0 ? 1.0 : -1.0;
 	float low = right_angle_of(t0, h), high = right_angle_of(t1, h);
-	sum.behind += sign * (high - low - (t1 - t0) * h);
+	sum.behind += edge.sheets * sign * (high - low - (t1 - t0) * h);
 	float foot = angle_of(sign * vec2(u.y, -u.x));
 	uvec2 mask = beyond(foot, h);
 	mask &= sign > 0.0 ? sector(foot + low, foot + high) : sector(foot - high, foot - low);
-	count(sum.seen, mask, sign > 0.0 ? ~0u : 0u);
+	uvec2 two = edge.sheets > 1.0 ? mask : uvec2(0u);
+	count(sum.seen, mask ^ two, two, sign > 0.0 ? ~0u : 0u);
 	sum.hits++;
 }
 
@@ -320,6 +322,7 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 			bool begins = v.w > 0.0;
 			end = begins && deepest <= v.w - 1.0 ? i : end;
 #endif
+			edge.sheets = 1.0 - v.w;
 			across_a = across_b;
 			depth_a = depth_b;
 			edge.a = edge.b;
@@ -346,6 +349,7 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 		float past = abs(across_a - across_b);
 		float depth = above_b * across_a - above_a * across_b;
 		depth = across_a < across_b ? -depth : depth;
+		turn *= int(edge.sheets);
 		sum.winding += depth > 0.0 ? turn : 0;
 		sum.own += depth <= 0.0 && depth >= -from.own_depth * past ? turn : 0;
 		if (hit)
@@ -438,7 +442,7 @@ float gathered_visibility(vec3 p)
 	// Only edges leave a part of the disc.
 	if (sum.hits > 0 && sum.winding <= WINDING_MAX) {
 		for (int i = 0; i < sum.winding; i++)
-			count(sum.seen, uvec2(~0u), 0u);
+			count(sum.seen, uvec2(~0u), uvec2(0u), 0u);
 		covered = covered_share(sum.seen, covered);
 	}
 	return 1.0 - clamp(covered, 0.0, 1.0);

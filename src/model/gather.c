@@ -337,7 +337,7 @@ struct sums {
 /* Where the way from the origin passes an edge. A sheet begins or ends there that is before the
  * receiver, if the edge is: both before the receiver's plane and before its depth. */
 static void cross_edge(struct sums *sums, const struct eye *eye, const struct origin *origin,
-	const struct end *a, const struct end *b)
+	const struct end *a, const struct end *b, int sheets)
 {
 	const struct receiver *receiver = eye->receiver;
 	const double path[2] = {receiver->at[0] - origin->at[0], receiver->at[1] - origin->at[1]};
@@ -350,7 +350,7 @@ static void cross_edge(struct sums *sums, const struct eye *eye, const struct or
 	double depth = a->depth + share * (b->depth - a->depth);
 	double before = receiver->depth + dot(origin->slope, off) - depth;
 	double side = cross(a->off, b->off), side_origin = side - across_a + across_b;
-	int begun = (side >= 0.0) - (side_origin >= 0.0);
+	int begun = sheets * ((side >= 0.0) - (side_origin >= 0.0));
 	if (origin->of_all || (before > eye->noise && depth < receiver->depth))
 		sums->winding += begun;
 	if (fabs(before) <= eye->noise)
@@ -411,18 +411,20 @@ static uint64_t samples_beyond(const struct gather *gather, double angle, double
 }
 
 /* Behind an edge is the sector between its ends less the triangle before it. */
-static void add_chord(struct sums *sums, const struct gather *gather, const struct chord *chord)
+static void add_chord(
+	struct sums *sums, const struct gather *gather, const struct chord *chord, int sheets)
 {
 	double h = fabs(chord->h), sign = chord->h >= 0.0 ? 1.0 : -1.0;
 	double low = atan2(chord->t[0], h), high = atan2(chord->t[1], h);
 	double foot = atan2(-sign * chord->u[0], sign * chord->u[1]);
-	sums->behind += sign * (high - low - (chord->t[1] - chord->t[0]) * h) / (2.0 * GLM_PI);
+	sums->behind +=
+		sheets * sign * (high - low - (chord->t[1] - chord->t[0]) * h) / (2.0 * GLM_PI);
 	int first = sample_from(sign > 0.0 ? foot + low : foot - high);
 	int end = sample_from(sign > 0.0 ? foot + high : foot - low);
 	uint64_t mask = samples_beyond(gather, foot, h) & disc_mask_sector(first, end);
 	for (int i = 0; i < DISC_MASK_SAMPLES; i++)
 		if (mask >> i & 1)
-			sums->sheets[i] = (int8_t)(sums->sheets[i] - (int)sign);
+			sums->sheets[i] = (int8_t)(sums->sheets[i] - sheets * (int)sign);
 }
 
 /* Boxes of runs and their order, which let one leave edges out that have no part in it, are not
@@ -437,11 +439,12 @@ static void walk(struct sums *sums, const struct gather *gather, const struct ey
 			struct chord chord;
 			a = b;
 			b = end_of(eye, &stretch.vertices[k]);
-			if (stretch.vertices[k].start != 0.0f)
+			if (stretch.vertices[k].start > 0.0f)
 				continue;
-			cross_edge(sums, eye, origin, &a, &b);
+			int sheets = 1 - (int)stretch.vertices[k].start;
+			cross_edge(sums, eye, origin, &a, &b, sheets);
 			if (find_chord(&chord, eye, &a, &b))
-				add_chord(sums, gather, &chord);
+				add_chord(sums, gather, &chord, sheets);
 		}
 	}
 }

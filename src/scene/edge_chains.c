@@ -45,7 +45,7 @@ static bool is_within(const struct screen_point *point)
 	return fabs(point->x) <= CHAIN_LIMIT && fabs(point->y) <= CHAIN_LIMIT;
 }
 
-static bool append(struct edge_chains *chains, const struct screen_point *point, bool ends)
+static bool append(struct edge_chains *chains, const struct screen_point *point, uint32_t sheets)
 {
 	if (!array_reserve((void **)&chains->points, &chains->point_capacity, chains->count + 1,
 		    sizeof(*chains->points)))
@@ -54,7 +54,7 @@ static bool append(struct edge_chains *chains, const struct screen_point *point,
 		.x = (int32_t)lrint(clamp(point->x, -CHAIN_LIMIT, CHAIN_LIMIT)),
 		.y = (int32_t)lrint(clamp(point->y, -CHAIN_LIMIT, CHAIN_LIMIT)),
 		.depth = (float)clamp(point->depth, 0.0, CHAIN_DEPTH_MAX),
-		.ends = ends,
+		.sheets = sheets,
 	};
 	return true;
 }
@@ -80,10 +80,10 @@ static int crossings(
 
 /* The edge's start and, where it leaves or enters what is within the limits, a point there: what is
  * outside is then moved onto the limits, which takes it over no point inside. */
-static bool append_edge(
-	struct edge_chains *chains, const struct screen_point *from, const struct screen_point *to)
+static bool append_edge(struct edge_chains *chains, const struct screen_point *from,
+	const struct screen_point *to, uint32_t sheets)
 {
-	if (!append(chains, from, false))
+	if (!append(chains, from, sheets))
 		return false;
 	if (is_within(from) && is_within(to))
 		return true;
@@ -95,28 +95,44 @@ static bool append_edge(
 			from->y + shares[i] * (to->y - from->y),
 			from->depth + shares[i] * (to->depth - from->depth),
 		};
-		if (!append(chains, &point, false))
+		if (!append(chains, &point, sheets))
 			return false;
 	}
 	return true;
 }
 
-/* As many edges end at a vertex as start there: whoever follows them gets stuck only where they
- * came from. */
+/* Takes an edge from a vertex, and one more from there to the same end if there is one; returns how
+ * many. */
+static uint32_t take_edges(const struct walk *walk, uint32_t vertex, uint32_t *end)
+{
+	struct edge_chains *chains = walk->chains;
+	uint32_t *link = &chains->edge_from[vertex], count = 0;
+	*end = walk->edges[*link].b;
+	while (*link != NONE && count < EDGE_SHEETS_MAX) {
+		uint32_t edge = *link;
+		if (walk->edges[edge].b == *end) {
+			*link = chains->edge_after[edge];
+			count++;
+		} else {
+			link = &chains->edge_after[edge];
+		}
+	}
+	return count;
+}
+
 static bool follow(const struct walk *walk, uint32_t start)
 {
 	struct edge_chains *chains = walk->chains;
 	struct screen_point first = project(walk, start), point = first;
-	uint32_t vertex = start, edge;
-	while ((edge = chains->edge_from[vertex]) != NONE) {
-		chains->edge_from[vertex] = chains->edge_after[edge];
-		vertex = walk->edges[edge].b;
+	uint32_t vertex = start;
+	while (chains->edge_from[vertex] != NONE) {
+		uint32_t sheets = take_edges(walk, vertex, &vertex);
 		struct screen_point next = vertex == start ? first : project(walk, vertex);
-		if (!append_edge(chains, &point, &next))
+		if (!append_edge(chains, &point, &next, sheets))
 			return false;
 		point = next;
 	}
-	return append(chains, &first, true);
+	return append(chains, &point, 0);
 }
 
 static void link_edges(

@@ -6,11 +6,15 @@
 #include "scene/edge_clip.h"
 #include "scene/light.h"
 
+/** Sheets that an edge is the boundary of at most. */
+#define EDGE_SHEETS_MAX 2
+
 /** On a light's screen, in steps of the raster grid from the lower left. */
 struct chain_point {
-	int32_t x, y; /* within CHAIN_LIMIT */
-	float depth;  /* window depth, in [0, CHAIN_DEPTH_MAX] */
-	bool ends;    /* its chain; else an edge leads to the point after, its sheet on the left */
+	int32_t x, y;    /* within CHAIN_LIMIT */
+	float depth;     /* window depth, in [0, CHAIN_DEPTH_MAX] */
+	uint32_t sheets; /* on the left of the edge that leads to the point after, which it is the
+			    boundary of; 0: the chain ends */
 };
 
 /** What is farther off is moved there, which changes nothing on the screen. */
@@ -29,9 +33,10 @@ struct caster_view {
 };
 
 /**
- * The boundaries of the sheets of all casters as one light sees them: closed chains, the last point
- * of each being its first. Where the near plane cuts a sheet its boundary runs along the cut. Zero
- * is empty; memory is kept from one search to the next.
+ * The boundaries of the sheets of all casters as one light sees them, in chains. As many sheets
+ * begin as end along all edges that meet at a point. An edge that two sheets have in common, as a
+ * fold of an open part, is there once. Where the near plane cuts a sheet its boundary runs along
+ * the cut. Zero is empty; memory is kept from one search to the next.
  */
 struct edge_chains {
 	struct chain_point *points; /* [count], owned */

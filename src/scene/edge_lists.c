@@ -104,7 +104,7 @@ static enum edge_lists_result collect(struct edge_lists *lists, const struct edg
 	lists->entry_count = lists->run_count = lists->vertex_count = 0;
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *edge = &chains->points[i];
-		if (!edge->ends) {
+		if (edge->sheets > 0) {
 			if (!array_reserve((void **)&lists->entries, &lists->entry_capacity,
 				    lists->entry_count + tiles, sizeof(*lists->entries)))
 				return EDGE_LISTS_NO_MEMORY;
@@ -137,7 +137,7 @@ static bool looks_full(struct edge_lists *lists, const struct edge_chains *chain
 		if (i / EDGE_RUN_MAX % SAMPLED != 0)
 			continue;
 		sampled++;
-		if (!edge->ends)
+		if (edge->sheets > 0)
 			sum += count_runs(lists, i, lists->entries,
 				edge_cover_find(cover, edge, edge + 1, lists->entries));
 	}
@@ -160,7 +160,7 @@ static size_t count_by_depth(struct edge_lists *lists, const struct edge_chains 
 	memset(added, 0, DEPTH_STEPS * sizeof(*added));
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *edge = &chains->points[i];
-		if (edge->ends)
+		if (edge->sheets == 0)
 			continue;
 		size_t count = edge_cover_find(cover, edge, edge + 1, lists->entries);
 		int step = step_of(limit, edge), before = i > 0 ? step_of(limit, edge - 1) : 0;
@@ -182,7 +182,7 @@ static void find_depth_range(const struct edge_chains *chains, struct depth_limi
 {
 	float nearest = CHAIN_DEPTH_MAX, farthest = 0.0f;
 	for (size_t i = 0; i + 1 < chains->count; i++) {
-		if (chains->points[i].ends)
+		if (chains->points[i].sheets == 0)
 			continue;
 		float depth = nearest_of(&chains->points[i]);
 		nearest = smaller(nearest, depth);
@@ -269,11 +269,13 @@ static void extend(struct edge_run *run, const struct edge_run *by)
 	}
 }
 
-static struct edge_vertex vertex_of(const struct chain_point *point, uint32_t screen)
+/* sheets: of the edge that leads there. */
+static struct edge_vertex vertex_of(
+	const struct chain_point *point, uint32_t screen, uint32_t sheets)
 {
 	float step = 1.0f / (float)screen;
 	return (struct edge_vertex){
-		(float)point->x * step, (float)point->y * step, point->depth, 0.0f};
+		(float)point->x * step, (float)point->y * step, point->depth, 1.0f - (float)sheets};
 }
 
 /* Writes the collected edges, each tile's in the chains' order. */
@@ -287,7 +289,7 @@ static void write_lists(
 		const struct chain_point *edge = &chains->points[i];
 		uint32_t added = added_vertices(lists, i);
 		for (uint32_t k = 2 - added; k < 2 && added > 0; k++)
-			lists->vertices[vertex++] = vertex_of(&edge[k], screen);
+			lists->vertices[vertex++] = vertex_of(&edge[k], screen, edge->sheets);
 		if (added == 0)
 			continue;
 		struct edge_run alone = run_of(edge, vertex - 2, screen);

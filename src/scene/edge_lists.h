@@ -8,9 +8,9 @@
 struct edge_vertex {
 	float x, y;  /* window coordinates of the light's screen, on the raster grid */
 	float depth; /* window depth */
-	float start; /* 0: an edge leads here from the vertex before. Else, in whole lists, none
-			does, and nothing from here to the list's end is before depth start - 1
-			(rounded down) */
+	float start; /* up to 0: an edge of 1 - start sheets leads here from the vertex before.
+			Else, in whole lists, none does, and nothing from here to the list's end
+			is before depth start - 1 (rounded down) */
 };
 
 /** Most edges of a run. */

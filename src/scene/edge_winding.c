@@ -27,7 +27,7 @@ static void add_edge(const struct chain_point *a, const struct chain_point *b, i
 	int64_t tiles, int32_t *changes)
 {
 	const struct chain_point *low = a->y < b->y ? a : b, *high = low == a ? b : a;
-	int32_t turn = a->y < b->y ? 1 : -1;
+	int32_t turn = a->y < b->y ? (int32_t)a->sheets : -(int32_t)a->sheets;
 	int64_t first = rows_below(low->y, screen, tiles);
 	int64_t end = rows_below(high->y, screen, tiles);
 	int64_t rise = (int64_t)high->y - low->y, run = (int64_t)high->x - low->x;
@@ -49,7 +49,7 @@ void edge_winding_find(
 	memset(winding, 0, (size_t)tiles * tiles * sizeof(*winding));
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *a = &chains->points[i], *b = a + 1;
-		if (!a->ends && a->y != b->y)
+		if (a->sheets > 0 && a->y != b->y)
 			add_edge(a, b, screen, tiles, winding);
 	}
 	for (size_t row = 0; row < tiles; row++)

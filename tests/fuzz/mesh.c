@@ -271,8 +271,8 @@ static void check_stretch(const struct edge_stretch *stretch, float start)
 	for (uint32_t i = 0; i <= stretch->edges; i++) {
 		const struct edge_vertex *at = &stretch->vertices[i];
 		expect(isfinite(at->x) && isfinite(at->y) && isfinite(at->depth));
-		expect(at->start == 0.0f || at->start - 1.0f >= start);
-		start = at->start == 0.0f ? start : at->start - 1.0f;
+		expect(at->start <= 0.0f || at->start - 1.0f >= start);
+		start = at->start <= 0.0f ? start : at->start - 1.0f;
 		expect(at->depth >= start);
 	}
 }

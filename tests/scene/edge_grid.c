@@ -133,7 +133,7 @@ static size_t count_entries(const struct edge_grid *grid, float depth, float *de
 			struct edge_stretch stretch = edge_tile_stretch(grid, &grid->of[t], i);
 			for (uint32_t k = 0; k < stretch.edges; k++) {
 				const struct edge_vertex *edge = &stretch.vertices[k];
-				if (edge[1].start != 0.0f)
+				if (edge[1].start > 0.0f)
 					continue;
 				float nearest = fminf(edge[0].depth, edge[1].depth);
 				before += nearest <= depth;
@@ -283,7 +283,7 @@ static void assert_near_tile(const struct edge_grid *grid, uint32_t t, float mar
 		for (uint32_t k = 0; k < stretch.edges; k++) {
 			const struct edge_vertex *edge = &stretch.vertices[k];
 			assert_true(
-				edge[1].start != 0.0f ||
+				edge[1].start > 0.0f ||
 				(overlap(edge[0].x * tiles, edge[1].x * tiles, left, left + side) &&
 					overlap(edge[0].y * tiles, edge[1].y * tiles, bottom,
 						bottom + side)));

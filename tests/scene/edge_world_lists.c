@@ -14,7 +14,7 @@ static void assert_box_holds(const struct edge_run *run, const struct edge_stret
 	assert_in_range(stretch->edges, 1, EDGE_RUN_MAX);
 	for (uint32_t i = 0; i <= stretch->edges; i++) {
 		const float at[2] = {stretch->vertices[i].x, stretch->vertices[i].y};
-		assert_true(stretch->vertices[i].start == 0.0f);
+		assert_true(stretch->vertices[i].start <= 0.0f);
 		for (int axis = 0; axis < 2; axis++) {
 			float steps = fminf(fmaxf(at[axis], 0.0f), 1.0f) * EDGE_BOX_STEPS;
 			assert_true(steps >= (float)run->min[axis] &&
@@ -30,8 +30,8 @@ static void assert_starts_hold(
 	for (uint32_t i = 0; i <= stretch->edges; i++) {
 		const struct edge_vertex *at = &stretch->vertices[i];
 		assert_true(isfinite(at->x) && isfinite(at->y) && isfinite(at->depth));
-		if (at->start != 0.0f) {
-			if (at->start - 1.0f < start || i == stretch->edges || at[1].start != 0.0f)
+		if (at->start > 0.0f) {
+			if (at->start - 1.0f < start || i == stretch->edges || at[1].start > 0.0f)
 				fail_msg("%s: tile %u: chain at %u", what, t, i);
 			start = at->start - 1.0f;
 		}
@@ -89,7 +89,7 @@ static int times_listed(const struct edge_grid *grid, uint32_t t, const struct c
 		struct edge_stretch stretch = edge_tile_stretch(grid, &grid->of[t], i);
 		for (uint32_t k = 0; k < stretch.edges; k++) {
 			const struct edge_vertex *at = &stretch.vertices[k];
-			times += at[1].start == 0.0f && same_place(&at[0], &a) &&
+			times += at[1].start <= 0.0f && same_place(&at[0], &a) &&
 				 same_place(&at[1], &b);
 		}
 	}
@@ -195,7 +195,7 @@ static void assert_lists_all(
 	const struct edge_chains *chains = &world->grid.chains;
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *edge = &chains->points[i];
-		if (edge->ends || !concerns(world, receiver, edge))
+		if (edge->sheets == 0 || !concerns(world, receiver, edge))
 			continue;
 		if (times_listed(&world->grid, receiver->tile, edge) == 0)
 			fail_msg("%s: edge %zu concerns (%g, %g, %g) and is not listed in tile %u",

@@ -185,10 +185,10 @@ static void too_many_edges_are_left_out(void **state)
 	struct sm_light_desc wide = lamp;
 	wide.radius = 3;
 	uint32_t sphere = parts_add_sphere(rig->scene, 64);
-	for (int i = 0; i < 16; i++)
+	for (int i = 0; i < 36; i++)
 		parts_add_object(rig->scene, sphere, PART_BOTH,
 			&(struct pose){{0.1f, 0.1f, 0.1f}, 0,
-				{0.2f * (float)(i % 4) - 0.3f, 1, 0.2f * (float)(i / 4) - 0.3f}});
+				{0.12f * (float)(i % 6) - 0.3f, 1, 0.12f * (float)(i / 6) - 0.3f}});
 	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
 		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
 	parts_add_light(rig->scene, &wide);
