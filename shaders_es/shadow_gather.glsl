@@ -299,11 +299,23 @@ bool is_narrow(edge edge, receiver r)
 }
 #endif
 
+// Origins are on the raster grid, as ends of edges are. One on an edge or at its end is where
+// rasterisers have it, and edge_winding.h: a little to the right, and less upwards; of half a step.
+const vec2 BESIDE = vec2(1.0 / 128.0, 1.0 / 8192.0);
+
+// Whether the origin of a way is on the side of the edge's sheet: `side` is, but for rounding and
+// BESIDE, a whole number of squares of the raster grid.
+bool has_origin(edge edge, float side)
+{
+	bool runs_down = dot(edge.a - edge.b, vec2(-BESIDE.y, BESIDE.x)) > 0.0;
+	return side >= (runs_down ? -2.0 : 2.0) * snap * snap;
+}
+
 // Walks along the edges between vertices. One between the origin and the receiver is where a sheet
 // starts or ends. In whole lists, leaves them where the rest is behind `deepest`.
 void walk_edges(inout sums sum, receiver r, origin from, int first, int end, float deepest)
 {
-	vec2 path = r.s.xy - from.at;
+	vec2 path = r.s.xy - from.at - snap * BESIDE;
 	edge edge;
 	float across_a = 0.0, across_b = 0.0, depth_a = 0.0, depth_b = 0.0;
 	float most = disc_scale * disc_scale / (r.shrink * r.shrink);
@@ -333,7 +345,7 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 			across_b = cross_of(path, edge.b);
 			edge.side = cross_of(edge.a, edge.b);
 			float side_origin = edge.side - across_a + across_b;
-			turn = int(edge.side >= 0.0) - int(side_origin >= 0.0);
+			turn = int(edge.side >= 0.0) - int(has_origin(edge, side_origin));
 			turn = !begins && (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
 #ifdef POINTS
 			narrow_penumbra = narrow_penumbra || !begins && is_narrow(edge, r);

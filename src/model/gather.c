@@ -334,13 +334,30 @@ struct sums {
 	int8_t sheets[DISC_MASK_SAMPLES]; /* at each sample, beside `winding` */
 };
 
+/* Origins are on the raster grid, as ends of edges are. One on an edge or at its end is where
+ * rasterisers have it, and edge_winding.h: a little to the right, and less upwards; of half a step.
+ */
+static const double beside[2] = {1.0 / 128.0, 1.0 / 8192.0};
+
+/* Whether the origin is on the side of the edge's sheet: `side` is, but for `beside`, a whole
+ * number of squares of the raster grid. */
+static bool has_origin(
+	const struct gather *gather, const struct end *a, const struct end *b, double side)
+{
+	bool runs_down = a->off[1] != b->off[1] ? a->off[1] > b->off[1] : a->off[0] < b->off[0];
+	double half = 2.0 * gather->snap * gather->snap;
+	return side >= (runs_down ? -half : half);
+}
+
 /* Where the way from the origin passes an edge. A sheet begins or ends there that is before the
  * receiver, if the edge is: both before the receiver's plane and before its depth. */
-static void cross_edge(struct sums *sums, const struct eye *eye, const struct origin *origin,
-	const struct end *a, const struct end *b, int sheets)
+static void cross_edge(struct sums *sums, const struct gather *gather, const struct eye *eye,
+	const struct origin *origin, const struct end *a, const struct end *b, int sheets)
 {
 	const struct receiver *receiver = eye->receiver;
-	const double path[2] = {receiver->at[0] - origin->at[0], receiver->at[1] - origin->at[1]};
+	double path[2];
+	for (int i = 0; i < 2; i++)
+		path[i] = receiver->at[i] - origin->at[i] - gather->snap * beside[i];
 	double across_a = cross(path, a->off), across_b = cross(path, b->off);
 	if ((across_a < 0.0) == (across_b < 0.0))
 		return;
@@ -350,7 +367,7 @@ static void cross_edge(struct sums *sums, const struct eye *eye, const struct or
 	double depth = a->depth + share * (b->depth - a->depth);
 	double before = receiver->depth + dot(origin->slope, off) - depth;
 	double side = cross(a->off, b->off), side_origin = side - across_a + across_b;
-	int begun = sheets * ((side >= 0.0) - (side_origin >= 0.0));
+	int begun = sheets * ((side >= 0.0) - has_origin(gather, a, b, side_origin));
 	if (origin->of_all || (before > eye->noise && depth < receiver->depth))
 		sums->winding += begun;
 	if (fabs(before) <= eye->noise)
@@ -442,7 +459,7 @@ static void walk(struct sums *sums, const struct gather *gather, const struct ey
 			if (stretch.vertices[k].start > 0.0f)
 				continue;
 			int sheets = 1 - (int)stretch.vertices[k].start;
-			cross_edge(sums, eye, origin, &a, &b, sheets);
+			cross_edge(sums, gather, eye, origin, &a, &b, sheets);
 			if (find_chord(&chord, eye, &a, &b))
 				add_chord(sums, gather, &chord, sheets);
 		}
