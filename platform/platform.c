@@ -6,6 +6,7 @@
 #include "egl.h"
 #include "node.h"
 #include "probe.h"
+#include <GLES3/gl3.h>
 #include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -190,6 +191,16 @@ void platform_destroy(struct platform *platform)
 void (*platform_get_proc(const char *name))(void)
 {
 	return eglGetProcAddress(name);
+}
+
+bool platform_has_extension(const char *name)
+{
+	GLint count = 0;
+	glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+	for (GLint i = 0; i < count; i++)
+		if (strcmp((const char *)glGetStringi(GL_EXTENSIONS, (GLuint)i), name) == 0)
+			return true;
+	return false;
 }
 
 void platform_describe(const struct platform *platform, sm_fact fact, void *data)

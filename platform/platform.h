@@ -32,6 +32,9 @@ void platform_destroy(struct platform *platform);
 /** Looks a GL function up in the context; an sm_get_proc. */
 void (*platform_get_proc(const char *name))(void);
 
+/** Whether the context that is current lists an extension of GL. */
+bool platform_has_extension(const char *name);
+
 /** Reports which device is used, and its EGL. */
 void platform_describe(const struct platform *platform, sm_fact fact, void *data);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "bench/stress_probe.h"
 #include "base/array.h"
+#include "platform.h"
 #include <GLES3/gl3.h>
 #include <math.h>
 #include <stdarg.h>
@@ -219,20 +220,11 @@ static void ignore_pass(void *data, const char *pass)
 	(void)pass;
 }
 
-static bool has_extension(const char *name)
-{
-	GLint count = 0;
-	glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-	for (GLint i = 0; i < count; i++)
-		if (strcmp((const char *)glGetStringi(GL_EXTENSIONS, (GLuint)i), name) == 0)
-			return true;
-	return false;
-}
-
 bool stress_probe_init(struct stress_probe *probe, sm_get_proc get_proc,
 	const struct sm_driver_options *driver, struct sm_error *error)
 {
-	*probe = (struct stress_probe){.floats = has_extension("GL_EXT_color_buffer_float")};
+	*probe = (struct stress_probe){
+		.floats = platform_has_extension("GL_EXT_color_buffer_float")};
 	real_get_proc = get_proc;
 	edits_missing = edits_made = false;
 	probe->renderer =

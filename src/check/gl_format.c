@@ -3,6 +3,7 @@
  * and filtering. Each texel of each channel has a value of its own. */
 #include "check/gl_cases.h"
 #include "check/gl_kit.h"
+#include "platform.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -87,7 +88,7 @@ static double step(const struct format *format, int channel, double value)
 /* A target of the format; what the driver does not claim may be skipped. */
 static GLuint make_target(struct kit *kit, const struct format *format)
 {
-	bool claimed = format->extension == NULL || kit_has_extension(format->extension);
+	bool claimed = format->extension == NULL || platform_has_extension(format->extension);
 	GLuint texture = kit_texture(kit, format->internal_format);
 	kit_framebuffer(kit, texture, 0, claimed ? NULL : format->name);
 	return texture;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "check/gl_kit.h"
+#include "platform.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -66,16 +67,6 @@ bool kit_finish(struct kit *kit)
 	return !kit->failed;
 }
 
-bool kit_has_extension(const char *name)
-{
-	GLint count = 0;
-	glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-	for (GLint i = 0; i < count; i++)
-		if (strcmp((const char *)glGetStringi(GL_EXTENSIONS, (GLuint)i), name) == 0)
-			return true;
-	return false;
-}
-
 int kit_version(void)
 {
 	GLint major = 0, minor = 0;
@@ -94,7 +85,7 @@ void kit_need_version(struct kit *kit, int version)
 
 void kit_need_extension(struct kit *kit, const char *name)
 {
-	if (kit->failed || kit_has_extension(name))
+	if (kit->failed || platform_has_extension(name))
 		return;
 	check_skip(kit->result, "%s is needed", name);
 	kit->failed = true;

@@ -28,8 +28,6 @@ void kit_init(struct kit *kit, struct check_result *result);
  *  fill. */
 bool kit_finish(struct kit *kit);
 
-/** Whether the driver says so. */
-bool kit_has_extension(const char *name);
 /** Of the context: 31 for OpenGL ES 3.1. */
 int kit_version(void);
 /** Skips unless the context has that version or extension. */

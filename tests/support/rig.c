@@ -79,21 +79,11 @@ void rig_skip_nothing(struct rig *rig)
 	assert_true(sm_renderer_set_skips(rig->renderer, "-all", NULL));
 }
 
-static bool has_extension(const char *name)
-{
-	GLint count = 0;
-	glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-	for (GLint i = 0; i < count; i++)
-		if (strcmp((const char *)glGetStringi(GL_EXTENSIONS, (GLuint)i), name) == 0)
-			return true;
-	return false;
-}
-
 bool rig_can_draw(const char *technique)
 {
 	if (technique == NULL || strcmp(technique, "vsm") != 0 ||
-		has_extension("GL_EXT_color_buffer_float") ||
-		has_extension("GL_EXT_color_buffer_half_float"))
+		platform_has_extension("GL_EXT_color_buffer_float") ||
+		platform_has_extension("GL_EXT_color_buffer_half_float"))
 		return true;
 	print_message("%s is skipped: there is no target of floats\n", technique);
 	return false;
