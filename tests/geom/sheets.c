@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/sheets.h"
+#include "capacity.h"
 #include "changes.h"
 #include "geom/mesh.h"
 #include "models.h"
@@ -263,28 +264,23 @@ static void what_is_edge_on_is_no_sheet(void **state)
 	model_finish(&model);
 }
 
+static size_t find_in_a_mirror(void *data, struct silhouette_edge *edges, size_t capacity)
+{
+	struct subject *s = data;
+	const struct sheet_rule rule = {.mirrored = true};
+	return sheets_find(&s->mesh.caster, &rule, s->light, s->facing, s->back, edges, capacity);
+}
+
 static void writes_no_more_than_capacity(void **state)
 {
 	(void)state;
 	struct model model = model_opened(model_sphere(3));
 	struct subject s = subject_of(&model);
-	const struct caster *caster = &s.mesh.caster;
-	const struct sheet_rule rule = {.mirrored = true};
-	const float light[4] = {0.3f, 0.1f, 1, 0};
-	facing_find(caster, light, s.facing);
-	size_t needed = sheets_find(caster, &rule, light, s.facing, s.back, NULL, 0);
+	memcpy(s.light, (const float[4]){0.3f, 0.1f, 1, 0}, sizeof(s.light));
+	facing_find(&s.mesh.caster, s.light, s.facing);
+	size_t needed = find_in_a_mirror(&s, NULL, 0);
 	assert_true(needed > 20 && needed <= s.capacity);
-	assert_int_equal(
-		sheets_find(caster, &rule, light, s.facing, s.back, s.edges, s.capacity), needed);
-	for (size_t capacity = 1; capacity <= needed; capacity += 3) {
-		struct silhouette_edge *exact = malloc(capacity * sizeof(*exact));
-		assert_non_null(exact);
-		assert_int_equal(
-			sheets_find(caster, &rule, light, s.facing, s.back, exact, capacity),
-			needed);
-		assert_memory_equal(exact, s.edges, capacity * sizeof(*exact));
-		free(exact);
-	}
+	check_capacity(find_in_a_mirror, &s, needed, 3);
 	subject_finish(&s);
 	model_finish(&model);
 }

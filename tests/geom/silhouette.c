@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/silhouette.h"
+#include "capacity.h"
 #include "facing.h"
 #include "geom/mesh.h"
 #include "models.h"
@@ -349,23 +350,19 @@ static void a_cube_from_above(void **state)
 	model_finish(&model);
 }
 
+static size_t find_silhouette(void *data, struct silhouette_edge *edges, size_t capacity)
+{
+	const struct subject *s = data;
+	return silhouette_find(&s->mesh.caster, s->facing, edges, capacity);
+}
+
 static void writes_no_more_than_capacity(void **state)
 {
 	(void)state;
 	struct model model = model_grid(20);
 	struct subject s = subject_of(&model);
 	facing_find(&s.mesh.caster, (const float[4]){0, 0, 1, 0}, s.facing);
-	size_t needed = silhouette_find(&s.mesh.caster, s.facing, NULL, 0);
-	assert_int_equal(needed, 80);
-	for (size_t capacity = 1; capacity <= needed; capacity += 13) {
-		struct silhouette_edge *exact = malloc(capacity * sizeof(*exact));
-		assert_non_null(exact);
-		assert_int_equal(
-			silhouette_find(&s.mesh.caster, s.facing, exact, capacity), needed);
-		silhouette_find(&s.mesh.caster, s.facing, s.edges, needed);
-		assert_memory_equal(exact, s.edges, capacity * sizeof(*exact));
-		free(exact);
-	}
+	check_capacity(find_silhouette, &s, 80, 13);
 	subject_finish(&s);
 	model_finish(&model);
 }
