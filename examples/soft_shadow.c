@@ -39,7 +39,7 @@ int main(void)
 	eglInitialize(display, NULL, NULL);
 	eglMakeCurrent(display, NULL, NULL, eglCreateContext(display, NULL, NULL, version));
 
-	struct sm_view view = {camera, 0, SIZE, SIZE, SM_NONE};
+	struct sm_view view = {camera, 0, SIZE, SIZE, SM_NONE, true};
 	glGenFramebuffers(1, &view.framebuffer);
 	glBindFramebuffer(GL_FRAMEBUFFER, view.framebuffer);
 	attach(GL_COLOR_ATTACHMENT0, GL_RGBA8);
