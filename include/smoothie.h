@@ -260,6 +260,9 @@ enum sm_sampling {
 	/** One of four by four, and those between them where a surface's edge is, or a penumbra too
 	 *  narrow for that; else it is interpolated. */
 	SM_SAMPLING_SPARSE,
+	/** Each, once it is known which surface is seen there. Dense with drivers that do not
+	 *  read depths. */
+	SM_SAMPLING_DEFERRED,
 };
 
 /** Pixels of the picture and texels of the map a side, at most, in half and fixed12: what they
@@ -367,6 +370,7 @@ struct sm_frame_stats {
 	uint32_t lights;           /**< shown with shadows */
 	uint32_t hard_lights;      /**< of these: by "auto", as "hard" */
 	uint32_t sparse_lights;    /**< of these: with SM_SAMPLING_SPARSE */
+	uint32_t deferred_lights;  /**< likewise, SM_SAMPLING_DEFERRED */
 	uint64_t triangles;        /**< submitted, all passes */
 	uint64_t silhouette_edges; /**< all lights whose silhouettes were looked for */
 	uint64_t edges_left_out;   /**< by "gather": an edge counts for each part of the light's

@@ -8,6 +8,12 @@ uint seen_visibility(ivec2 pixel)
 	return 65535u - texelFetch(visibility_map, pixel, 0).r;
 }
 
+// Of 18 bits of what is left to the far plane.
+float seen_rounding(float depth)
+{
+	return (1.0 - depth) / 131072.0;
+}
+
 // Window depth, from the camera's depth of fixed_camera_depth_of() (src/fixed/span.h): what is left to
 // the far plane in 2^-30, as a float of 18 bits.
 float seen_depth(ivec2 pixel)

@@ -13,7 +13,11 @@ uniform float disc_scale;  // radius of the disc, window x or y, over the depth 
 uniform float pole;        // K, see scene/light.h
 uniform float depth_noise; // of vertices far from their origin, whose floats are coarse
 uniform float snap;        // by how much points of edges and sheets are moved, window x or y
+#ifdef RECEIVERS
+bool casts = false; // set for each pixel
+#else
 uniform bool casts;        // the receiver, as well
+#endif
 uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
 
 const int LAYERS = 3;
@@ -51,14 +55,12 @@ struct receiver {
 	float spacing;   // to the next pixel
 };
 
-receiver receiver_at(vec3 s)
+receiver receiver_of(vec3 s, vec2 slope, float spacing)
 {
 	vec2 e = (s.xy - 0.5) * disc_facing;
 	float square = 1.0 + dot(e, e), root = sqrt(square);
-	vec2 slope = receiver_slope(s);
 	float noise = max(DEPTH_STEP, depth_noise) + snap * (abs(slope.x) + abs(slope.y));
 	vec2 tilt = e * (disc_facing * (pole - s.z) / square);
-	float spacing = max(length(dFdx(s.xy)), length(dFdy(s.xy)));
 	return receiver(s, slope, noise, e, tilt, 1.0 / (square + root), 1.0 / root, spacing);
 }
 
@@ -428,9 +430,8 @@ sums walk(receiver r, origin from, int first, int end)
 }
 #endif
 
-float gathered_visibility(vec3 p)
+float gathered_visibility(receiver r)
 {
-	receiver r = receiver_at(on_screen(p));
 #ifdef POINTS
 	// Farther apart, points may miss edges in tiles between theirs, which lists reach beyond.
 	narrow_penumbra = r.spacing * tile_count > 2.0;
@@ -460,9 +461,18 @@ float gathered_visibility(vec3 p)
 	return 1.0 - clamp(covered, 0.0, 1.0);
 }
 
+#ifndef RECEIVERS
+float gathered_visibility(vec3 p)
+{
+	vec3 s = on_screen(p);
+	float spacing = max(length(dFdx(s.xy)), length(dFdy(s.xy)));
+	return gathered_visibility(receiver_of(s, receiver_slope(s), spacing));
+}
+
 #ifndef CELLS
 float shadow_visibility(vec3 p)
 {
 	return gathered_visibility(p);
 }
+#endif
 #endif

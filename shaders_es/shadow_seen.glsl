@@ -9,9 +9,9 @@ float shadow_visibility(vec3 p)
 	vec2 slope = vec2(dFdx(depth), dFdy(depth));
 	float least = abs(seen_depth(pixel) - depth);
 	ivec2 nearest = pixel;
-	// Rounding: of 18 bits of what is left to the far plane, of depth as a float, and of where
-	// drivers interpolate it.
-	float rounding = (1.0 - depth) / 131072.0 + 1e-6 + 0.25 * (abs(slope.x) + abs(slope.y));
+	// Rounding: of the depth that is kept, of depth as a float, and of where drivers interpolate
+	// it.
+	float rounding = seen_rounding(depth) + 1e-6 + 0.25 * (abs(slope.x) + abs(slope.y));
 	if (least > rounding) {
 		for (int i = 0; i < 9; i++) {
 			ivec2 by = ivec2(i % 3 - 1, i / 3 - 1);

@@ -18,6 +18,12 @@ uniform vec2 light_cone;     // share inside = x cosine to the axis + y, clamped
 
 #ifdef POINTS
 layout(location = 0) out uvec2 point; // see sparse_cells.frag
+#elif defined(RECEIVERS)
+// Window coordinates on the light's screen, as bits of floats; the slope of the receiver's plane, as
+// sheets have theirs in the layers; in its lowest bits, whether the receiver casts as well, and whether
+// it faces away from the light.
+layout(location = 0) out uvec4 receiver;
+uniform bool casts;
 #else
 layout(location = 0) out vec4 color;
 #endif
@@ -33,20 +39,7 @@ vec3 path_to_light()
 }
 #endif
 
-#ifdef POINTS
-void main()
-{
-	float v = 1.0;
-	bool wide = true;
-#ifdef SHADOWED
-	v = clamp(shadow_visibility(surface_position), 0.0, 1.0);
-	wide = !narrow_penumbra;
-#endif
-	point = uvec2(floatBitsToUint(gl_FragCoord.z),
-		uint(v * 65535.0 + 0.5) | (wide ? 0x10000u : 0u));
-}
-#elif defined(VISIBILITY)
-#ifdef LIT
+#if defined(VISIBILITY) && defined(LIT)
 // The triangle's own normal, since visibility is that of the geometry, not of how it is shaded; on
 // the side that is seen, as the interpolated one tells.
 bool faces_light()
@@ -55,25 +48,7 @@ bool faces_light()
 	bool outward = (dot(n, surface_normal) > 0.0) == gl_FrontFacing;
 	return outward ? dot(n, path_to_light()) > 0.0 : dot(n, path_to_light()) < 0.0;
 }
-#endif
-
-void main()
-{
-	float v = 1.0;
-#ifdef LIT
-	bool faces = faces_light();
-#ifdef SHADOWED
-	light_arrives = faces;
-	v = clamp(shadow_visibility(surface_position), 0.0, 1.0);
-#endif
-	v = faces ? v : 0.0;
-#endif
-	float steps = floor(v * 65535.0 + 0.5);
-	float high = floor(steps / 256.0);
-	color = vec4(high, steps - 256.0 * high, 0.0, 255.0) / 255.0;
-}
-#else
-#ifdef LIT
+#elif defined(LIT)
 // Cosine between the normal, on the side that is seen, and the way to the light, times |path|.
 float facing(vec3 path)
 {
@@ -96,6 +71,54 @@ float strength()
 }
 #endif
 
+#ifdef POINTS
+void main()
+{
+	float v = 1.0;
+	bool wide = true;
+#ifdef SHADOWED
+	v = clamp(shadow_visibility(surface_position), 0.0, 1.0);
+	wide = !narrow_penumbra;
+#endif
+	point = uvec2(floatBitsToUint(gl_FragCoord.z),
+		uint(v * 65535.0 + 0.5) | (wide ? 0x10000u : 0u));
+}
+#elif defined(RECEIVERS)
+void main()
+{
+	// Beside the screen all is lit.
+	receiver = uvec4(floatBitsToUint(2.0), 0u, 0u, 0u);
+#ifdef SHADOWED
+#ifdef VISIBILITY
+	bool arrives = faces_light();
+#else
+	bool arrives = strength() > 0.0;
+#endif
+	vec3 s = on_screen(surface_position);
+	// Half floats end at 65504.
+	vec2 steps = clamp(receiver_slope(s) * (SLOPE_SCALE * map_size.y), -6e4, 6e4);
+	uint slope = packHalf2x16(steps);
+	uint bits = (casts ? 1u : 0u) | (arrives ? 0u : 0x10000u);
+	receiver = uvec4(floatBitsToUint(s), slope & ~0x10001u | bits);
+#endif
+}
+#elif defined(VISIBILITY)
+void main()
+{
+	float v = 1.0;
+#ifdef LIT
+	bool faces = faces_light();
+#ifdef SHADOWED
+	light_arrives = faces;
+	v = clamp(shadow_visibility(surface_position), 0.0, 1.0);
+#endif
+	v = faces ? v : 0.0;
+#endif
+	float steps = floor(v * 65535.0 + 0.5);
+	float high = floor(steps / 256.0);
+	color = vec4(high, steps - 256.0 * high, 0.0, 255.0) / 255.0;
+}
+#else
 void main()
 {
 	float n_up = gl_FrontFacing ? surface_up : -surface_up;

@@ -16,7 +16,7 @@ out float surface_up;      // y of the normal in the world
 #ifdef TEXTURED
 out vec2 surface_uv;
 #endif
-#ifdef SEEN
+#if defined(SEEN) || defined(FOUND)
 out vec2 surface_depth; // z and w of clip space
 #endif
 
@@ -34,7 +34,7 @@ void main()
 #ifdef TEXTURED
 	surface_uv = uv;
 #endif
-#ifdef SEEN
+#if defined(SEEN) || defined(FOUND)
 	surface_depth = gl_Position.zw;
 #endif
 }

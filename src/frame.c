@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/array.h"
+#include "deferred_pass.h"
+#include "gles/probe.h"
 #include "scene/camera.h"
 #include "scene/light_reach.h"
 #include "sparse_pass.h"
@@ -45,23 +47,74 @@ static void choose_light(struct surface_pass *pass, uint32_t index, struct shado
 	pass->light = light->left_out ? NULL : &pass->scene->lights[index].desc;
 	pass->frame = &light->frame;
 	pass->shadow = light->left_out ? NULL : light->shadow;
-	pass->cells = light->sparse ? &light->cells : NULL;
+	pass->cells = light->sampling == SM_SAMPLING_SPARSE ? &light->cells : NULL;
+	pass->found = light->sampling == SM_SAMPLING_DEFERRED ? &light->found : NULL;
 }
 
-/* What is known of a light's visibility before its surfaces are drawn. */
-static bool draw_sparsely(const struct surface_pass *view, uint32_t index,
+static bool is_same(const struct points_key *a, const struct points_key *b)
+{
+	return light_key_is_same(&a->light, &b->light) &&
+	       objects_age_is_same(&a->objects, &b->objects) &&
+	       view_key_is_same(&a->view, &b->view) && a->sampling == b->sampling &&
+	       a->whole == b->whole;
+}
+
+/* Whether the receivers there are, of whatever light, are at the depths of those that are wanted,
+ * if any are. */
+static bool has_receivers(const struct sm_renderer *renderer, const struct points_key *key)
+{
+	const struct points_key *received = &renderer->received;
+	return key->sampling != SM_SAMPLING_DEFERRED ||
+	       (received->light.scene == key->light.scene &&
+		       memcmp(received->light.anchor, key->light.anchor, sizeof(vec3)) == 0 &&
+		       objects_age_is_same(&received->objects, &key->objects) &&
+		       view_key_is_same(&received->view, &key->view));
+}
+
+static void choose_sampling(const struct surface_pass *view, struct shadowed_light *light,
+	const struct technique_view *seen)
+{
+	struct sm_renderer *renderer = view->renderer;
+	struct sm_frame_stats *stats = &renderer->gpu.stats;
+	const struct technique *technique = renderer->shadows.technique;
+	light->sampling = technique->sampling != NULL ? technique->sampling(light->shadow->state,
+								view->scene, &light->frame, seen)
+						      : SM_SAMPLING_DENSE;
+	stats->sparse_lights += light->sampling == SM_SAMPLING_SPARSE;
+	stats->deferred_lights += light->sampling == SM_SAMPLING_DEFERRED;
+}
+
+/* What is known of a light's visibility before its surfaces are drawn. That of an earlier frame
+ * serves where it would be the same. */
+static bool draw_visibility(const struct surface_pass *view, uint32_t index,
 	struct shadowed_light *light, const struct technique_view *seen, struct sm_error *error)
 {
 	struct sm_renderer *renderer = view->renderer;
-	const struct technique *technique = renderer->shadows.technique;
 	struct surface_pass pass = *view;
-	light->sparse = technique->is_sparse != NULL && technique->is_sparse(light->shadow->state,
-								view->scene, &light->frame, seen);
-	if (!light->sparse)
+	choose_sampling(view, light, seen);
+	if (light->sampling == SM_SAMPLING_DENSE)
 		return true;
-	renderer->gpu.stats.sparse_lights++;
+	const struct points_key key = {
+		.light = light->shadow->key,
+		.objects = objects_age(view->scene, false),
+		.view = view_key_of(seen),
+		.sampling = light->sampling,
+		.whole = renderer->whole,
+	};
+	bool same = is_same(&light->points, &key) && has_receivers(renderer, &key);
+	if (skip_take(&renderer->gpu.skips, SKIP_POINTS, same))
+		return true;
+	light->points = (struct points_key){0};
 	choose_light(&pass, index, light);
-	return sparse_pass_draw(&pass, light, seen, error);
+	pass.cells = pass.found = NULL;
+	bool drawn = light->sampling == SM_SAMPLING_SPARSE
+			     ? sparse_pass_draw(&pass, light, error)
+			     : deferred_pass_draw(&pass, light, error);
+	if (drawn)
+		light->points = key;
+	if (drawn && light->sampling == SM_SAMPLING_DEFERRED)
+		renderer->received = key;
+	return drawn;
 }
 
 /* Of 8 bits, where light is added up as sRGB: what is less than half a step changes no pixel, and
@@ -87,7 +140,7 @@ static bool find_left_out(const struct surface_pass *pass, const struct view_vol
 	return brightest >= limit;
 }
 
-/* The light's shadow, in the shadow set and, where it is sparse, at points. */
+/* The light's shadow, in the shadow set and, where that is how it is sampled, in the view. */
 static bool draw_shadow(const struct surface_pass *pass, uint32_t first, uint32_t index,
 	const struct technique_view *view, struct sm_error *error)
 {
@@ -101,7 +154,15 @@ static bool draw_shadow(const struct surface_pass *pass, uint32_t first, uint32_
 	if (light->shadow == NULL)
 		return false;
 	renderer->gpu.stats.lights++;
-	return draw_sparsely(pass, index, light, view, error);
+	return draw_visibility(pass, index, light, view, error);
+}
+
+static size_t count_triangles(const struct sm_scene *scene)
+{
+	size_t count = 0;
+	for (size_t i = 0; i < scene->object_count; i++)
+		count += scene->meshes[scene->objects[i].mesh].index_count / 3;
+	return count;
 }
 
 static bool reserve_lights(struct sm_renderer *renderer, uint32_t count)
@@ -124,7 +185,10 @@ static bool draw_shadows(
 	const struct technique_view view = {.world_to_clip = pass->world_to_clip,
 		.width = pass->width,
 		.height = pass->height,
-		.visibility = pass->flags & FLAG_VISIBILITY};
+		.visibility = pass->flags & FLAG_VISIBILITY,
+		/* Found out on first use, by drawing, before there is any state. */
+		.deferrable = gpu_has(&renderer->gpu, CAP_DEPTH_FETCH),
+		.triangles = count_triangles(pass->scene)};
 	struct view_volume volume;
 	view_volume_init(&volume, pass->world_to_clip);
 	if (!reserve_lights(renderer, last - first))
@@ -152,16 +216,17 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 {
 	struct sm_renderer *renderer = pass->renderer;
 	struct gl *gl = &renderer->gpu.gl;
+	GLint samples = 0;
+	gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+	gl->GetIntegerv(GL_SAMPLES, &samples);
+	pass->multisampled = samples > 1;
 	if (!draw_shadows(pass, first, last, error))
 		return false;
-	GLint samples = 0;
 	gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 	gl->Viewport(0, 0, (GLsizei)pass->width, (GLsizei)pass->height);
 	if (pass->flags & FLAG_VISIBILITY && renderer->shadows.technique->show != NULL)
 		return renderer->shadows.technique->show(
 			renderer->lights[0].shadow->state, &renderer->gpu, error);
-	gl->GetIntegerv(GL_SAMPLES, &samples);
-	pass->multisampled = samples > 1;
 	clear(gl, pass->scene, pass->flags);
 	pass->first = true;
 	set_pass_state(gl, true);
@@ -271,6 +336,9 @@ bool frame_draw(struct sm_renderer *renderer, const struct sm_scene *scene,
 		.alone = view->alone};
 	bool drawn = draw_view(&pass, view, error);
 	sparse_pass_end_frame(renderer);
+	deferred_pass_end_frame(renderer);
+	for (size_t i = 0; i < renderer->light_capacity; i++)
+		renderer->lights[i].sampling = SM_SAMPLING_DENSE;
 	/* A failure may have been anywhere. */
 	gpu_restore_state(&renderer->gpu);
 	gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "renderer.h"
 #include "base/log.h"
+#include "deferred_pass.h"
 #include "gles/probe.h"
 #include "sparse_pass.h"
 #include <stdlib.h>
@@ -35,6 +36,7 @@ void sm_renderer_destroy(struct sm_renderer *renderer)
 	shadow_set_finish(&renderer->shadows, &renderer->gpu);
 	picture_finish(&renderer->accumulator, &renderer->gpu.gl);
 	sparse_pass_finish(renderer);
+	deferred_pass_finish(renderer);
 	gpu_finish(&renderer->gpu);
 	local_scene_finish(&renderer->local);
 	draw_order_finish(&renderer->order);
@@ -58,6 +60,7 @@ bool sm_renderer_set_shadows(struct sm_renderer *renderer, const struct sm_shado
 		return false;
 	shadow_set_finish(&renderer->shadows, &renderer->gpu);
 	sparse_pass_finish(renderer);
+	deferred_pass_finish(renderer);
 	renderer->current = (struct frame_key){0};
 	renderer->shadows = set;
 	return true;

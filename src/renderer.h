@@ -12,19 +12,24 @@ struct points_key {
 	struct light_key light;
 	struct objects_age objects;
 	struct view_key view;
+	enum sm_sampling sampling;
 	bool whole;
 };
+
+/** Frames after which what is not drawn into is given back: a light that wavers does so in less. */
+#define IDLE_FRAMES_MAX 600
 
 /** A light of the frame. */
 struct shadowed_light {
 	struct light_frame frame;
 	bool left_out;               /* nothing of it is drawn; the rest is of an earlier frame */
 	struct light_shadow *shadow; /* in the shadow set */
-	bool sparse;   /* whether its visibility is first drawn at points of the view */
-	uint32_t idle; /* frames in which it was not */
-	/* Of these (sparse_pass.h); made when there are some. */
-	struct picture cells;
-	struct points_key points; /* that cells are of */
+	enum sm_sampling sampling;   /* of the frame */
+	/* What is drawn of its visibility before surfaces: cells between points of the view
+	 * (sparse_pass.h), or that of each pixel (deferred_pass.h); made when there is some. */
+	struct picture cells, found;
+	uint32_t sparse_idle, deferred_idle; /* frames in which it was not drawn into */
+	struct points_key points;            /* that they are of */
 };
 
 /** What a picture is of. Zero is of nothing. */
@@ -39,7 +44,9 @@ struct sm_renderer {
 	/* Where several lights are added up when the caller's framebuffer cannot do that in linear
 	 * light: sRGB-encoded. */
 	struct picture accumulator;
-	struct picture points; /* of one light after the other; likewise */
+	struct picture points;      /* of one light after the other; likewise */
+	struct picture receivers;   /* likewise, of every pixel */
+	struct points_key received; /* that their depths are of */
 	/* Working memory, kept so that a frame like the last one allocates nothing. */
 	struct local_scene local;
 	struct draw_order order;

@@ -83,9 +83,9 @@ static bool check_range(
 	if (options->passes > 2)
 		return error_set(
 			error, SM_ERROR_INPUT, "%u smoothie passes; 1 or 2", options->passes);
-	if (options->sampling > SM_SAMPLING_SPARSE)
+	if (options->sampling > SM_SAMPLING_DEFERRED)
 		return error_set(error, SM_ERROR_INPUT, "a sampling of number %d; the last is %d",
-			(int)options->sampling, SM_SAMPLING_SPARSE);
+			(int)options->sampling, SM_SAMPLING_DEFERRED);
 	return true;
 }
 

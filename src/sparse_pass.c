@@ -6,9 +6,6 @@
  * is of the camera's depth. */
 #define PLANE_TOLERANCE 0.5f
 
-/* Frames after which what is not drawn into is given back: a light that wavers does so in less. */
-#define IDLE_FRAMES_MAX 600
-
 /* The view's points: at corners of blocks of pixels, since drivers leave out whole blocks, and one
  * more beyond on each side. */
 static void widen_view(const struct surface_pass *view, uint32_t columns, uint32_t rows, mat4 wide)
@@ -86,14 +83,7 @@ static bool join_points(
 	return true;
 }
 
-static bool is_same(const struct points_key *a, const struct points_key *b)
-{
-	return light_key_is_same(&a->light, &b->light) &&
-	       objects_age_is_same(&a->objects, &b->objects) &&
-	       view_key_is_same(&a->view, &b->view) && a->whole == b->whole;
-}
-
-static bool draw(
+bool sparse_pass_draw(
 	const struct surface_pass *view, struct shadowed_light *light, struct sm_error *error)
 {
 	/* Found out before state is set for surfaces, which ask for it. */
@@ -104,25 +94,6 @@ static bool draw(
 	bool drawn = join_points(view, &light->cells, error);
 	gl_pop_group(&view->renderer->gpu.gl);
 	return drawn;
-}
-
-bool sparse_pass_draw(const struct surface_pass *view, struct shadowed_light *light,
-	const struct technique_view *seen, struct sm_error *error)
-{
-	struct sm_renderer *renderer = view->renderer;
-	const struct points_key key = {
-		.light = light->shadow->key,
-		.objects = objects_age(view->scene, false),
-		.view = view_key_of(seen),
-		.whole = renderer->whole,
-	};
-	if (skip_take(&renderer->gpu.skips, SKIP_POINTS, is_same(&light->points, &key)))
-		return true;
-	light->points = (struct points_key){0};
-	if (!draw(view, light, error))
-		return false;
-	light->points = key;
-	return true;
 }
 
 void sparse_pass_bind(const struct surface_pass *pass, const struct program *program)
@@ -143,17 +114,18 @@ static void give_back(struct sm_renderer *renderer, struct shadowed_light *light
 
 void sparse_pass_end_frame(struct sm_renderer *renderer)
 {
+	struct gl *gl = &renderer->gpu.gl;
 	bool used = false;
 	for (size_t i = 0; i < renderer->light_capacity; i++) {
 		struct shadowed_light *light = &renderer->lights[i];
-		light->idle = light->sparse ? 0 : light->idle + 1;
-		light->sparse = false;
-		if (light->idle == IDLE_FRAMES_MAX)
+		bool sparse = light->sampling == SM_SAMPLING_SPARSE;
+		light->sparse_idle = sparse ? 0 : light->sparse_idle + 1;
+		if (light->sparse_idle == IDLE_FRAMES_MAX)
 			give_back(renderer, light);
 		used = used || light->cells.width > 0;
 	}
 	if (!used)
-		picture_finish(&renderer->points, &renderer->gpu.gl);
+		picture_finish(&renderer->points, gl);
 }
 
 void sparse_pass_finish(struct sm_renderer *renderer)

@@ -10,11 +10,10 @@
 /**
  * Draws a light's visibility at a grid of points of the view, and joins them to cells that surfaces
  * look up: where a cell is of one surface, and the penumbrae there are wide, they need not find it
- * themselves. Those of an earlier frame serve where they would be the same. view: of the light,
- * with its cells; seen: the same view. May leave another framebuffer bound.
+ * themselves. view: of the light. May leave another framebuffer bound.
  */
-bool sparse_pass_draw(const struct surface_pass *view, struct shadowed_light *light,
-	const struct technique_view *seen, struct sm_error *error);
+bool sparse_pass_draw(
+	const struct surface_pass *view, struct shadowed_light *light, struct sm_error *error);
 
 /** Sets what surfaces look cells up by; flags of the program: CELLS. */
 void sparse_pass_bind(const struct surface_pass *pass, const struct program *program);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "surface_pass.h"
 #include "base/array.h"
+#include "deferred_pass.h"
 #include "sparse_pass.h"
 #include "tiles.h"
 #include <float.h>
@@ -86,12 +87,15 @@ static uint64_t object_flags(const struct surface_pass *pass, const struct objec
 {
 	const struct technique *technique = pass->renderer->shadows.technique;
 	uint64_t flags = pass->flags;
-	if (object->image != SM_NONE && !(flags & FLAG_VISIBILITY))
+	if (object->image != SM_NONE && !(flags & (FLAG_VISIBILITY | FLAG_RECEIVERS)))
 		flags |= FLAG_TEXTURED;
 	if (pass->light != NULL)
 		flags |= FLAG_LIT;
 	if (pass->light != NULL && object->receives)
-		flags |= FLAG_SHADOWED | technique->surface_flags(pass->shadow->state);
+		flags |= FLAG_SHADOWED;
+	if (flags & FLAG_SHADOWED && !(flags & FLAG_RECEIVERS))
+		flags |= pass->found != NULL ? FLAG_FOUND
+					     : technique->surface_flags(pass->shadow->state);
 	return flags;
 }
 
@@ -113,6 +117,8 @@ static bool use_program(struct surface_pass *pass, uint64_t flags, struct sm_err
 			pass->shadow->state, gpu, pass->frame, pass->program);
 	if (flags & FLAG_CELLS)
 		sparse_pass_bind(pass, pass->program);
+	if (flags & FLAG_FOUND)
+		deferred_pass_bind(pass);
 	return true;
 }
 
@@ -226,7 +232,8 @@ static bool is_large(
 static uint64_t flags_of(const struct surface_pass *pass, uint64_t all, enum need need)
 {
 	const struct technique *technique = pass->renderer->shadows.technique;
-	uint64_t lit = all & ~(FLAG_SHADOWED | technique->surface_flags(pass->shadow->state));
+	uint64_t shadowed = FLAG_SHADOWED | FLAG_FOUND;
+	uint64_t lit = all & ~(shadowed | technique->surface_flags(pass->shadow->state));
 	switch (need) {
 	case NEED_AMBIENT:
 		/* Visibility tells the sides of a surface apart wherever it is. */
@@ -376,7 +383,9 @@ bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)
 	bool drawn = true;
 	map_needs(pass);
 	pass->program = NULL;
-	gl_push_group(gl, pass->flags & FLAG_POINTS ? "points" : "surfaces");
+	gl_push_group(gl, pass->flags & FLAG_POINTS      ? "points"
+			  : pass->flags & FLAG_RECEIVERS ? "receivers"
+							 : "surfaces");
 	for (size_t i = 0; i < order->count && drawn; i++)
 		drawn = draw_object(pass, order->items[i].object, error);
 	gl_pop_group(gl);

@@ -16,8 +16,9 @@ struct surface_pass {
 	const struct light_frame *frame;   /* of the light */
 	struct light_shadow *shadow;       /* of the light, in the shadow set */
 	struct picture *cells;             /* of the sparse picture; NULL: there is none */
+	struct picture *found;             /* visibility of each pixel; NULL: it is not known */
 	bool first;
-	uint64_t flags;                /* for all surfaces: VISIBILITY, ENCODE_SRGB */
+	uint64_t flags; /* for all surfaces: VISIBILITY, ENCODE_SRGB, POINTS, RECEIVERS */
 	const struct program *program; /* in use; of the pass itself */
 };
 

@@ -342,6 +342,7 @@ static void print_stats(const struct render *render, FILE *file)
 	facts_format(&facts, "lights", "%" PRIu32, stats.lights);
 	facts_format(&facts, "lights drawn hard by auto", "%" PRIu32, stats.hard_lights);
 	facts_format(&facts, "lights drawn sparsely", "%" PRIu32, stats.sparse_lights);
+	facts_format(&facts, "lights drawn deferred", "%" PRIu32, stats.deferred_lights);
 	facts_format(&facts, "triangles", "%" PRIu64, stats.triangles);
 	facts_format(&facts, "silhouette edges", "%" PRIu64, stats.silhouette_edges);
 	facts_format(&facts, "silhouette edges left out", "%" PRIu64, stats.edges_left_out);

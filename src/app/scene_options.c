@@ -30,9 +30,14 @@ bool scene_options_precision(const char *name, enum sm_precision *precision)
 
 static bool read_sampling(const char *name, enum sm_sampling *sampling)
 {
-	bool dense = strcmp(name, "dense") == 0;
-	*sampling = dense ? SM_SAMPLING_DENSE : SM_SAMPLING_SPARSE;
-	return dense || strcmp(name, "sparse") == 0;
+	static const char *const names[] = {"dense", "sparse", "deferred"};
+	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
+		if (strcmp(names[i], name) == 0) {
+			*sampling = (enum sm_sampling)(i + 1);
+			return true;
+		}
+	}
+	return false;
 }
 
 bool scene_options_flag(struct scene_options *options, const struct command *command, int id,
@@ -56,8 +61,8 @@ bool scene_options_flag(struct scene_options *options, const struct command *com
 			       "--precision %.40s: float, half or fixed12 is wanted", value);
 	case FLAG_SAMPLING:
 		return read_sampling(value, &options->sampling) ||
-		       options_error(error, command, "--sampling %.40s: dense or sparse is wanted",
-			       value);
+		       options_error(error, command,
+			       "--sampling %.40s: dense, sparse or deferred is wanted", value);
 	case FLAG_SET:
 		options->settings[options->setting_count++] = value;
 		break;

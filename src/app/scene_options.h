@@ -12,7 +12,7 @@
 		{FLAG_PRECISION, "precision", "NAME",                                     \
 			"arithmetic of shadows: float, half or fixed12"},                 \
 		{FLAG_SAMPLING, "sampling", "NAME",                                       \
-			"pixels that gather finds shadows for: dense or sparse"},         \
+			"pixels that gather finds shadows for: dense, sparse, deferred"}, \
 		{FLAG_MAP, "map", "N", "texels a side of the shadow map"},                \
 	{                                                                                 \
 		FLAG_SET, "set", "SECTION.KEY=VALUE", "change the scene; may be repeated" \

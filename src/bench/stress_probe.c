@@ -32,7 +32,7 @@ void stress_picture_finish(struct stress_picture *picture)
 }
 
 /* Where the part of surface.frag begins that writes visibility. */
-static const char visibility_part[] = "bool faces_light()";
+static const char visibility_part[] = "#elif defined(VISIBILITY)\nvoid main()";
 
 /* What surface.frag writes as visibility, and what it writes instead, to floats: red is what was
  * not clamped, green and blue are the bytes. */

@@ -48,6 +48,8 @@ static const struct {
 	FLAG(POINTS),
 	FLAG(CELLS),
 	FLAG(RUNS),
+	FLAG(RECEIVERS),
+	FLAG(FOUND),
 #undef FLAG
 };
 
@@ -58,7 +60,7 @@ static const struct {
 #define SHADOW_FLAGS \
 	(FLAG_HARD | FLAG_SMOOTHIE | FLAG_TWO_SIDED | \
 	FLAG_BICUBIC | FLAG_PCSS | FLAG_MAPS | FLAG_VSM | FLAG_SEEN | \
-	FLAG_EDGES)
+	FLAG_EDGES | FLAG_FOUND)
 /* clang-format on */
 
 /* Those that look up four texels apart; or that compare at four, blended. */
@@ -78,7 +80,7 @@ struct part {
 static const struct {
 	const char *name;
 	uint64_t flags; /* that mean something */
-	struct part parts[2][24];
+	struct part parts[2][25];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -150,7 +152,7 @@ static const struct {
 			.flags = FLAG_LIT | FLAG_SHADOWED | SHADOW_FLAGS | FLAG_SEPARATE_DEPTH |
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
-				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS,
+				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -160,8 +162,10 @@ static const struct {
 							FLAG_SMOOTHIE | FLAG_VSM | FLAG_DEPTH_HALF},
 						{"common_plain_depth.glsl",
 							TAP_FLAGS | COMPARE_FLAGS},
-						{"common_depth_step.glsl", SHADOW_FLAGS},
-						{"shadow_receiver.glsl", SHADOW_FLAGS},
+						{"common_depth_step.glsl",
+							SHADOW_FLAGS | FLAG_RECEIVERS},
+						{"shadow_receiver.glsl",
+							SHADOW_FLAGS | FLAG_RECEIVERS},
 						{"shadow_taps.glsl", TAP_FLAGS | COMPARE_FLAGS},
 						{"shadow_compare.glsl", FLAG_HARD | FLAG_PCSS},
 						{"shadow_hard.glsl", FLAG_HARD},
@@ -172,13 +176,14 @@ static const struct {
 						{"shadow_maps.glsl", FLAG_MAPS},
 						{"common_moments.glsl", FLAG_VSM},
 						{"shadow_vsm.glsl", FLAG_VSM},
-						{"gather_sheet.glsl", FLAG_EDGES},
+						{"gather_sheet.glsl", FLAG_EDGES | FLAG_RECEIVERS},
 						{"gather_disc.glsl", FLAG_EDGES},
 						{"shadow_gather.glsl", FLAG_EDGES},
 						{"sparse_cell.glsl", FLAG_CELLS},
 						{"sparse_visibility.glsl", FLAG_CELLS},
 						{"exact_seen.glsl", FLAG_SEEN},
-						{"shadow_seen.glsl", FLAG_SEEN},
+						{"deferred_seen.glsl", FLAG_FOUND},
+						{"shadow_seen.glsl", FLAG_SEEN | FLAG_FOUND},
 						{"surface.frag"},
 					},
 				},
@@ -187,6 +192,18 @@ static const struct {
 		{
 			.name = "cells",
 			.parts = {{{"copy.vert"}}, {{"sparse_cell.glsl"}, {"sparse_cells.frag"}}},
+		},
+	[PROGRAM_FIND] =
+		{
+			.name = "find",
+			.flags = FLAG_RECEIVERS | FLAG_RUNS,
+			.parts =
+				{
+					{{"copy.vert"}},
+					{{"common_depth_step.glsl"}, {"shadow_receiver.glsl"},
+						{"gather_sheet.glsl"}, {"gather_disc.glsl"},
+						{"shadow_gather.glsl"}, {"deferred_find.frag"}},
+				},
 		},
 	[PROGRAM_COPY] =
 		{
@@ -292,6 +309,13 @@ static bool reads_plainly(uint64_t flags)
 	       (flags & COMPARE_FLAGS && flags & FLAG_FOUR_FETCHES);
 }
 
+/* Receivers are drawn for any way alike. */
+static bool receivers_are_valid(uint64_t flags)
+{
+	return !(flags & ~(FLAG_RECEIVERS | FLAG_LIT | FLAG_SHADOWED | FLAG_VISIBILITY)) &&
+	       implies(flags, FLAG_SHADOWED, FLAG_LIT);
+}
+
 static bool surface_is_valid(uint64_t flags)
 {
 	/* Cells are a way by themselves, or come before edges. */
@@ -320,7 +344,10 @@ bool program_key_is_valid(struct program_key key)
 		return false;
 	switch (key.kind) {
 	case PROGRAM_SURFACE:
-		return surface_is_valid(flags);
+		return flags & FLAG_RECEIVERS ? receivers_are_valid(flags)
+					      : surface_is_valid(flags);
+	case PROGRAM_FIND:
+		return (flags & ~FLAG_RUNS) == FLAG_RECEIVERS;
 	case PROGRAM_FIN:
 		return excludes(flags, FLAG_DEPTH_ONLY,
 			       FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH) &&

@@ -20,6 +20,7 @@ enum program_kind {
 	PROGRAM_TWO_SIDED_FIN,
 	PROGRAM_SURFACE,
 	PROGRAM_CELLS,
+	PROGRAM_FIND,
 	PROGRAM_COPY,
 	PROGRAM_SCREEN,
 	PROGRAM_PROBE_DRAW,
@@ -70,9 +71,11 @@ enum program_kind {
 #define FLAG_POINTS (UINT64_C(1) << 33)
 #define FLAG_CELLS (UINT64_C(1) << 34)
 #define FLAG_RUNS (UINT64_C(1) << 35)
+#define FLAG_RECEIVERS (UINT64_C(1) << 36)
+#define FLAG_FOUND (UINT64_C(1) << 37)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 36)
+#define FLAG_END (UINT64_C(1) << 38)
 
 struct program_key {
 	enum program_kind kind;

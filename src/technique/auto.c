@@ -108,13 +108,14 @@ static const struct screen_grid *auto_soft_grid(const void *state)
 					    : NULL;
 }
 
-static bool auto_is_sparse(void *state, const struct sm_scene *scene,
+static enum sm_sampling auto_sampling(void *state, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct technique_view *view)
 {
 	struct choice *choice = state;
 	const struct technique *technique = picks[choice->pick];
-	return technique->is_sparse != NULL &&
-	       technique->is_sparse(choice->states[choice->pick], scene, frame, view);
+	return technique->sampling != NULL
+		       ? technique->sampling(choice->states[choice->pick], scene, frame, view)
+		       : SM_SAMPLING_DENSE;
 }
 
 static size_t auto_geometry_bytes(const void *state)
@@ -149,7 +150,7 @@ const struct technique technique_auto = {
 	.surface_flags = auto_surface_flags,
 	.soft_grid = auto_soft_grid,
 	.soft_is_all = true,
-	.is_sparse = auto_is_sparse,
+	.sampling = auto_sampling,
 	.fits_screen = true,
 	.geometry_bytes = auto_geometry_bytes,
 	.bind = auto_bind,

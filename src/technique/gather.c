@@ -34,7 +34,7 @@ struct gather {
 	struct screen_grid soft;
 	struct depth_map hard; /* of a light that is a point; made when there is one */
 	bool point;
-	bool sparse; /* in the last frame */
+	bool sparse; /* by itself, in the last frame */
 	enum sm_sampling sampling;
 	float depth_noise;
 	bool told;      /* that edges are left out */
@@ -362,7 +362,11 @@ static const struct screen_grid *gather_soft_grid(const void *state)
  * its steps, to which surfaces are moved, are of four times as many pixels there. */
 #define SPARSE_BITS 6
 
-static bool gather_is_sparse(void *state, const struct sm_scene *scene,
+/* Pixels to a triangle of the scene, below which a picture is deferred: small triangles are shaded
+ * in blocks of more pixels than they have, hidden ones as well. */
+#define PIXELS_DEFERRED 16
+
+static enum sm_sampling gather_sampling(void *state, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct technique_view *view)
 {
 	struct gather *gather = state;
@@ -370,12 +374,18 @@ static bool gather_is_sparse(void *state, const struct sm_scene *scene,
 	/* What another scene had does not count in this one. */
 	bool was_sparse = gather->sparse && gather->scene == scene->id;
 	float enough = gather->layer_count < GATHER_LAYERS ? WIDTH_SPARSE : WIDTH_SPARSE_DEEP;
+	bool small = (uint64_t)view->width * view->height / PIXELS_DEFERRED < view->triangles;
 	gather->scene = scene->id;
-	gather->sparse = gather->sampling == SM_SAMPLING_DEFAULT
-				 ? gather->subpixel_bits >= SPARSE_BITS &&
-					   pixels > (was_sparse ? WIDTH_KEPT * enough : enough)
-				 : gather->sampling == SM_SAMPLING_SPARSE;
-	return !gather->point && gather->sparse;
+	gather->sparse = gather->subpixel_bits >= SPARSE_BITS &&
+			 pixels > (was_sparse ? WIDTH_KEPT * enough : enough);
+	enum sm_sampling chosen = gather->sampling;
+	if (gather->point)
+		return SM_SAMPLING_DENSE;
+	if (chosen == SM_SAMPLING_DEFAULT)
+		chosen = small            ? SM_SAMPLING_DEFERRED
+			 : gather->sparse ? SM_SAMPLING_SPARSE
+					  : SM_SAMPLING_DENSE;
+	return chosen == SM_SAMPLING_DEFERRED && !view->deferrable ? SM_SAMPLING_DENSE : chosen;
 }
 
 static void gather_leave(void *state)
@@ -435,7 +445,7 @@ const struct technique technique_gather = {
 	.surface_flags = gather_surface_flags,
 	.soft_grid = gather_soft_grid,
 	.soft_is_all = true,
-	.is_sparse = gather_is_sparse,
+	.sampling = gather_sampling,
 	.geometry_bytes = gather_geometry_bytes,
 	.bind = gather_bind,
 };

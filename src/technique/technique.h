@@ -22,6 +22,8 @@ struct technique_view {
 	vec4 *world_to_clip;
 	uint32_t width, height; /* of the picture */
 	bool visibility;        /* for sm_view.visibility_of, not to shade surfaces */
+	bool deferrable;        /* surfaces can look up what was found for each pixel */
+	size_t triangles;       /* of all objects */
 };
 
 /** One way to make shadows. The state is one light's: its textures, and what fills them. */
@@ -64,9 +66,9 @@ struct technique {
 	 *  which bind() serves as well; owned by the state. NULL: everywhere. */
 	const struct screen_grid *(*soft_grid)(const void *state);
 	bool soft_is_all; /* elsewhere nothing is darkened at all */
-	/** Chooses, once a frame and light, whether visibility is first to be drawn at points of
-	 *  the view (src/sparse_pass.h). NULL: it is not. */
-	bool (*is_sparse)(void *state, const struct sm_scene *scene,
+	/** Chooses, once a frame and light, for which pixels visibility is found, and when
+	 *  (src/sparse_pass.h, src/deferred_pass.h). NULL: for each, with its surface. */
+	enum sm_sampling (*sampling)(void *state, const struct sm_scene *scene,
 		const struct light_frame *frame, const struct technique_view *view);
 	/** How far on the light's screen, NDC, from where it is a surface may be darkened by a
 	 *  caster, beyond the texels of a bilinear look-up. NULL: no farther. */

@@ -153,13 +153,17 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 			       2 * 2 + /* variance maps, filtered or fetched, whole or split */
 			       2 * 2 + /* gather, for each pixel or what cells leave out, whole
 					  lists or runs */
-			       1;      /* cells */
+			       1 +     /* cells */
+			       1;      /* what was found before surfaces */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
 	/* What was seen before has no picture of visibility; points without light or shadow, or
-	 * with gather of either lists. */
-	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 4);
+	 * with gather of either lists; receivers without light or shadow, or with one, as
+	 * visibility or not. */
+	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 4 + 3 * 2);
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
+	/* Whole lists or runs. */
+	assert_int_equal(counts[PROGRAM_FIND], 2);
 }
 
 static void shadow_functions_come_with_the_flag_of_their_technique(void **state)
@@ -238,7 +242,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 static void names_tell_variants_apart(void **state)
 {
 	(void)state;
-	char text[320], cut[8];
+	char text[340], cut[8];
 	struct program_key key = {PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD};
 	assert_string_equal(program_key_name(key, text, sizeof(text)), "surface LIT SHADOWED HARD");
 	assert_string_equal(program_key_name(key, cut, sizeof(cut)), "surface");

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Visibility found for some of the pixels alone, against that found for each. */
+/* Visibility found for some of the pixels alone, or for each after its surface is known, against
+ * that found for each with its surface. */
 #include "canvas.h"
 #include "parts.h"
 #include "visibility.h"
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -51,24 +53,33 @@ static struct visibility draw(
 	return seen;
 }
 
-static uint32_t sparse_lights(struct rig *rig)
+/* That the last frame drew so. */
+static uint32_t lights_of(struct rig *rig, enum sm_sampling sampling)
 {
 	struct sm_frame_stats stats;
 	sm_renderer_get_stats(rig->renderer, &stats);
-	return stats.sparse_lights;
+	switch (sampling) {
+	case SM_SAMPLING_SPARSE:
+		return stats.sparse_lights;
+	case SM_SAMPLING_DEFERRED:
+		return stats.deferred_lights;
+	default:
+		return stats.lights - stats.sparse_lights - stats.deferred_lights;
+	}
 }
 
-static struct visibility_change change_of(struct rig *rig, uint32_t width, uint32_t height)
+static struct visibility_change change_of(
+	struct rig *rig, enum sm_sampling sampling, uint32_t width, uint32_t height)
 {
 	struct visibility dense = draw(rig, SM_SAMPLING_DENSE, width, height);
-	assert_int_equal(sparse_lights(rig), 0);
-	struct visibility sparse = draw(rig, SM_SAMPLING_SPARSE, width, height);
-	assert_int_equal(sparse_lights(rig), 1);
-	struct visibility_change change = visibility_compare(&dense, &sparse);
+	assert_int_equal(lights_of(rig, SM_SAMPLING_DENSE), 1);
+	struct visibility other = draw(rig, sampling, width, height);
+	assert_int_equal(lights_of(rig, sampling), 1);
+	struct visibility_change change = visibility_compare(&dense, &other);
 	print_message("%ux%u: mean %g, off %g, %u differ\n", width, height, change.mean, change.off,
 		change.differing);
 	visibility_finish(&dense);
-	visibility_finish(&sparse);
+	visibility_finish(&other);
 	return change;
 }
 
@@ -80,7 +91,7 @@ static void what_is_between_points_is_as_if_found(void **state)
 	uint32_t light = parts_add_light(rig->scene, &lamp);
 	for (size_t i = 0; i < sizeof(lights) / sizeof(lights[0]); i++) {
 		assert_true(sm_scene_set_light(rig->scene, light, lights[i], NULL));
-		struct visibility_change change = change_of(rig, WIDTH, HEIGHT);
+		struct visibility_change change = change_of(rig, SM_SAMPLING_SPARSE, WIDTH, HEIGHT);
 		/* Some pixels were interpolated. */
 		assert_true(change.differing > 300);
 		assert_true(change.mean < 0.0005 && change.off < 0.003);
@@ -93,8 +104,39 @@ static void pictures_may_be_of_any_size(void **state)
 	static const uint32_t sizes[][2] = {{1, 1}, {2, 3}, {5, 4}, {64, 1}, {1, 97}, {31, 43}};
 	fill_scene(rig);
 	parts_add_light(rig->scene, &lamp);
-	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++)
-		assert_true(change_of(rig, sizes[i][0], sizes[i][1]).mean < 0.005);
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		const uint32_t *size = sizes[i];
+		assert_true(change_of(rig, SM_SAMPLING_SPARSE, size[0], size[1]).mean < 0.005);
+		assert_true(change_of(rig, SM_SAMPLING_DEFERRED, size[0], size[1]).mean < 0.0001);
+	}
+}
+
+static void what_is_found_later_is_the_same(void **state)
+{
+	struct rig *rig = *state;
+	static const struct sm_light_desc *const lights[] = {&lamp, &sun};
+	fill_scene(rig);
+	uint32_t light = parts_add_light(rig->scene, &lamp);
+	for (size_t i = 0; i < sizeof(lights) / sizeof(lights[0]); i++) {
+		assert_true(sm_scene_set_light(rig->scene, light, lights[i], NULL));
+		struct visibility_change change =
+			change_of(rig, SM_SAMPLING_DEFERRED, WIDTH, HEIGHT);
+		/* Slopes have half the digits. */
+		assert_true(change.mean < 0.00001 && change.off < 0.0001);
+	}
+}
+
+static void many_small_triangles_are_deferred(void **state)
+{
+	struct rig *rig = *state;
+	fill_scene(rig);
+	parts_add_light(rig->scene, &lamp);
+	struct visibility small = draw(rig, SM_SAMPLING_DEFAULT, 40, 30);
+	assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED), 1);
+	struct visibility large = draw(rig, SM_SAMPLING_DEFAULT, WIDTH, HEIGHT);
+	assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED), 0);
+	visibility_finish(&small);
+	visibility_finish(&large);
 }
 
 static void a_point_has_nothing_between(void **state)
@@ -105,7 +147,7 @@ static void a_point_has_nothing_between(void **state)
 	fill_scene(rig);
 	parts_add_light(rig->scene, &point);
 	struct visibility seen = draw(rig, SM_SAMPLING_SPARSE, WIDTH, HEIGHT), hard;
-	assert_int_equal(sparse_lights(rig), 0);
+	assert_int_equal(lights_of(rig, SM_SAMPLING_SPARSE), 0);
 	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "hard", .map_size = 512});
 	visibility_draw(&hard, rig, rig->scene, &aside, WIDTH, HEIGHT);
 	assert_int_equal(visibility_compare(&seen, &hard).differing, 0);
@@ -113,20 +155,63 @@ static void a_point_has_nothing_between(void **state)
 	visibility_finish(&hard);
 }
 
-static uint8_t *draw_picture(struct rig *rig, GLenum format, GLsizei samples)
+static uint8_t *draw_scaled(struct rig *rig, GLenum format, GLsizei samples, uint32_t scale)
 {
 	struct canvas canvas;
+	uint32_t width = scale * WIDTH, height = scale * HEIGHT;
 	struct sm_view view = {
-		.camera = aside, .width = WIDTH, .height = HEIGHT, .visibility_of = SM_NONE};
+		.camera = aside, .width = width, .height = height, .visibility_of = SM_NONE};
 	if (samples > 1)
-		canvas_init_multisampled(&canvas, format, WIDTH, HEIGHT, samples);
+		canvas_init_multisampled(&canvas, format, width, height, samples);
 	else
-		canvas_init(&canvas, format, WIDTH, HEIGHT);
+		canvas_init(&canvas, format, width, height);
 	view.framebuffer = canvas.framebuffer;
 	rig_draw(rig, rig->scene, &view);
 	uint8_t *pixels = canvas_read(&canvas);
 	canvas_finish(&canvas);
 	return pixels;
+}
+
+static uint8_t *draw_picture(struct rig *rig, GLenum format, GLsizei samples)
+{
+	return draw_scaled(rig, format, samples, 1);
+}
+
+#define FINE 4
+
+/* Mean difference to a picture FINE times as wide and high. */
+static double error_of(const uint8_t *pixels, const uint8_t *fine)
+{
+	double sum = 0;
+	for (size_t y = 0; y < HEIGHT; y++)
+		for (size_t x = 0; x < WIDTH; x++) {
+			double mean = 0;
+			for (size_t i = 0; i < FINE * FINE; i++)
+				mean += fine[4 * ((FINE * y + i / FINE) * FINE * WIDTH + FINE * x +
+							 i % FINE)];
+			sum += fabs(mean / (FINE * FINE) - pixels[4 * (y * WIDTH + x)]);
+		}
+	return sum / (WIDTH * HEIGHT);
+}
+
+/* Along edges dense samples are found where their surface would go on at the pixel's middle. */
+static void samples_of_a_pixel_find_their_surface(void **state)
+{
+	struct rig *rig = *state;
+	fill_scene(rig);
+	parts_add_light(rig->scene, &lamp);
+	use(rig, SM_SAMPLING_DENSE);
+	uint8_t *fine = draw_scaled(rig, GL_SRGB8_ALPHA8, 1, FINE);
+	uint8_t *dense = draw_picture(rig, GL_SRGB8_ALPHA8, 4);
+	use(rig, SM_SAMPLING_DEFERRED);
+	uint8_t *deferred = draw_picture(rig, GL_SRGB8_ALPHA8, 4);
+	double error = error_of(deferred, fine), dense_error = error_of(dense, fine);
+	print_message("dense %g, deferred %g of 255\n", dense_error, error);
+	assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED), 1);
+	assert_true(error < 1.05 * dense_error);
+	free(fine);
+	free(dense);
+	free(deferred);
 }
 
 /* A pixel that two passes draw, or none, would be off by far more. */
@@ -161,10 +246,16 @@ static void several_lights_add_up(void **state)
 		uint8_t *dense = draw_picture(rig, cases[i].format, cases[i].samples);
 		use(rig, SM_SAMPLING_SPARSE);
 		uint8_t *sparse = draw_picture(rig, cases[i].format, cases[i].samples);
-		assert_int_equal(sparse_lights(rig), 2);
+		assert_int_equal(lights_of(rig, SM_SAMPLING_SPARSE), 2);
 		assert_alike(dense, sparse, cases[i].name);
+		use(rig, SM_SAMPLING_DEFERRED);
+		uint8_t *deferred = draw_picture(rig, cases[i].format, cases[i].samples);
+		assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED), 2);
+		if (cases[i].samples == 1)
+			assert_alike(dense, deferred, cases[i].name);
 		free(dense);
 		free(sparse);
+		free(deferred);
 	}
 }
 
@@ -186,6 +277,9 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(what_is_between_points_is_as_if_found),
+		rig_test(what_is_found_later_is_the_same),
+		rig_test(samples_of_a_pixel_find_their_surface),
+		rig_test(many_small_triangles_are_deferred),
 		rig_test(pictures_may_be_of_any_size),
 		rig_test(a_point_has_nothing_between),
 		rig_test(several_lights_add_up),
