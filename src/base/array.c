@@ -48,3 +48,10 @@ bool array_reserve(void **items, size_t *capacity, size_t needed, size_t size)
 	*capacity = count;
 	return true;
 }
+
+void *array_trim(void *items, size_t count, size_t size)
+{
+	size_t bytes;
+	void *moved = bytes_of(count, size, &bytes) ? realloc(items, bytes) : NULL;
+	return moved != NULL ? moved : items;
+}

@@ -21,4 +21,7 @@ void *array_copy(const void *source, size_t count, size_t size);
  */
 bool array_reserve(void **items, size_t *capacity, size_t needed, size_t size);
 
+/** Gives back what is behind the first count elements of an array from array_alloc(). */
+void *array_trim(void *items, size_t count, size_t size);
+
 #endif

@@ -57,6 +57,17 @@ static bool order_vertices(struct caster *caster)
 	return true;
 }
 
+/* Welding and dropping repeats left room. */
+static void trim(struct caster *caster)
+{
+	caster->positions =
+		array_trim(caster->positions, caster->vertex_count, sizeof(*caster->positions));
+	caster->sources =
+		array_trim(caster->sources, caster->vertex_count, sizeof(*caster->sources));
+	caster->indices =
+		array_trim(caster->indices, 3 * caster->triangle_count, sizeof(*caster->indices));
+}
+
 bool caster_init(struct caster *caster, const float (*positions)[3], size_t vertex_count,
 	const uint32_t *indices, size_t triangle_count)
 {
@@ -68,6 +79,7 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 		goto error;
 	if (!order_triangles(caster) || !order_vertices(caster))
 		goto error;
+	trim(caster);
 	if (!edge_table_init(
 		    &caster->edges, caster->indices, caster->triangle_count, caster->vertex_count))
 		goto error;

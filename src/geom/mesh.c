@@ -231,6 +231,10 @@ static bool optimise(struct mesh *mesh)
 		remap, mesh->indices, mesh->index_count, mesh->vertex_count);
 	move_vertices(mesh, count, remap);
 	free(remap);
+	mesh->positions = array_trim(mesh->positions, count, sizeof(*mesh->positions));
+	mesh->normals = array_trim(mesh->normals, count, sizeof(*mesh->normals));
+	mesh->uvs = array_trim(mesh->uvs, count, sizeof(*mesh->uvs));
+	mesh->sources = array_trim(mesh->sources, count, sizeof(*mesh->sources));
 	return true;
 }
 
