@@ -420,15 +420,35 @@ struct sm_pass_observer {
 SM_API void sm_renderer_set_pass_observer(
 	struct sm_renderer *renderer, const struct sm_pass_observer *observer);
 
-/** Bytes that shadows take, now. */
+/** Bytes that are in use, now. */
 struct sm_memory {
-	uint64_t geometry; /**< of the processor's: casters as silhouettes are searched in them,
-				and what is made of them each frame */
-	uint64_t targets;  /**< of the GL's: what the renderer draws into, on the way */
+	uint64_t processor; /**< all that renderer and scene have allocated */
+	uint64_t geometry;  /**< of those: casters as silhouettes are searched in them, and what is
+				 kept of them for lights */
+	uint64_t gl;      /**< all textures and buffers of the renderer, their texels 4 bytes where
+			       GL has depths of 24 bits; what the driver adds is not known */
+	uint64_t targets; /**< of those: what the renderer draws into, on the way */
 };
 
 SM_API void sm_renderer_get_memory(
 	const struct sm_renderer *renderer, const struct sm_scene *scene, struct sm_memory *memory);
+
+enum sm_memory_kind { SM_MEMORY_PROCESSOR, SM_MEMORY_GL };
+
+/** What one owner has of it. */
+struct sm_memory_part {
+	enum sm_memory_kind kind;
+	const char *owner; /**< "shadow maps", say; static */
+	uint32_t light; /**< that it serves alone, counted among those of the last view; SM_NONE: it
+			     serves all, or none */
+	uint64_t bytes; /**< above 0 */
+};
+
+/** Tells all parts of sm_memory.processor and sm_memory.gl, in a fixed order; an owner may come
+ *  more than once. */
+typedef void (*sm_memory_sink)(void *data, const struct sm_memory_part *part);
+SM_API void sm_renderer_list_memory(const struct sm_renderer *renderer,
+	const struct sm_scene *scene, sm_memory_sink sink, void *data);
 
 /** Facts about driver and chosen paths as key and value, in a fixed order. Caps that nothing drawn
  *  so far took are found out by drawing: state is expected and left as by sm_renderer_draw(), with

@@ -11,8 +11,8 @@ static bool draw_receivers(const struct surface_pass *view, struct sm_error *err
 	pass.first = true;
 	pass.multisampled = false;
 	view->renderer->received = (struct points_key){0};
-	if (!picture_resize(
-		    &view->renderer->receivers, gl, view->width, view->height, GL_RGBA32UI, error))
+	if (!picture_resize(&view->renderer->receivers, gl, STORAGE_RECEIVERS, view->width,
+		    view->height, GL_RGBA32UI, error))
 		return false;
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
@@ -33,7 +33,7 @@ static bool bind_found(
 		return true;
 	}
 	picture_finish(found, gl);
-	return picture_init(found, gl, view->width, view->height, GL_R16UI,
+	return picture_init(found, gl, STORAGE_FOUND, view->width, view->height, GL_R16UI,
 		view->renderer->receivers.depth, error);
 }
 
@@ -63,7 +63,9 @@ bool deferred_pass_draw(
 	if (!draw_receivers(view, error))
 		return false;
 	gl_push_group(gl, "visibility");
+	gl->light = (uint32_t)(light - view->renderer->lights);
 	bool drawn = find(view, &light->found, error);
+	gl->light = SM_NONE;
 	gl_pop_group(gl);
 	return drawn;
 }

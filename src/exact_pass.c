@@ -26,11 +26,10 @@ static void make_falloff(struct exact *exact, struct gl *gl)
 {
 	uint16_t table[FIXED_FALLOFF_SIZE];
 	fixed_falloff_init(exact->number, table);
-	exact->falloff = gl_create_texture(gl);
+	static const struct texel_format as = {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT};
+	exact->falloff = gl_create_texture(gl, STORAGE_TABLES);
 	gl->ActiveTexture(GL_TEXTURE0);
-	gl->BindTexture(GL_TEXTURE_2D, exact->falloff);
-	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R16UI, FIXED_FALLOFF_SIZE, 1, 0, GL_RED_INTEGER,
-		GL_UNSIGNED_SHORT, table);
+	gl_fill_texture(gl, exact->falloff, &as, FIXED_FALLOFF_SIZE, 1, table);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
@@ -38,8 +37,8 @@ static void make_falloff(struct exact *exact, struct gl *gl)
 static bool map_init(struct picture *map, const struct exact *exact, struct gpu *gpu,
 	GLenum color_format, GLuint depth, struct sm_error *error)
 {
-	return picture_init(
-		map, &gpu->gl, exact->map_size, exact->map_size, color_format, depth, error);
+	return picture_init(map, &gpu->gl, STORAGE_EXACT_MAPS, exact->map_size, exact->map_size,
+		color_format, depth, error);
 }
 
 static bool init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
@@ -223,7 +222,8 @@ static bool prepare_view(void *state, struct gpu *gpu, const struct sm_scene *sc
 	gl_push_group(gl, "smoothies");
 	drawn = draw_smoothies(exact, gpu, error);
 	gl_pop_group(gl);
-	if (!drawn || !picture_resize(&exact->seen, gl, view->width, view->height, GL_R16UI, error))
+	if (!drawn || !picture_resize(&exact->seen, gl, STORAGE_EXACT_MAPS, view->width,
+			      view->height, GL_R16UI, error))
 		return false;
 	gl_push_group(gl, "visibility");
 	drawn = draw_surfaces(exact, gpu, view->visibility, error);
@@ -260,10 +260,10 @@ static uint64_t surface_flags(const void *state)
 	return FLAG_SEEN;
 }
 
-static size_t geometry_bytes(const void *state)
+static void list_memory(const void *state, const struct memory_list *list)
 {
 	const struct exact *exact = state;
-	return exact_scene_bytes(&exact->scene);
+	exact_scene_list_memory(&exact->scene, list);
 }
 
 static void bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -284,6 +284,6 @@ const struct technique technique_exact = {
 	.prepare_view = prepare_view,
 	.show = show,
 	.surface_flags = surface_flags,
-	.geometry_bytes = geometry_bytes,
+	.list_memory = list_memory,
 	.bind = bind,
 };

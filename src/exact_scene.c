@@ -13,15 +13,17 @@ void exact_scene_finish(struct exact_scene *exact)
 	*exact = (struct exact_scene){0};
 }
 
-size_t exact_scene_bytes(const struct exact_scene *exact)
+void exact_scene_list_memory(const struct exact_scene *exact, const struct memory_list *list)
 {
 	const struct fixed_scene *fixed = &exact->fixed;
 	size_t blockers = fixed->casters.capacity + fixed->receivers_only.capacity;
-	return fin_set_bytes(&exact->fins) +
-	       (exact->clip_capacity + exact->light_capacity) * sizeof(*exact->clip) +
-	       blockers * sizeof(*fixed->casters.items) +
-	       fixed->fins.capacity * sizeof(*fixed->fins.items) +
-	       fixed->receivers.capacity * sizeof(*fixed->receivers.items);
+	fin_set_list_memory(&exact->fins, list);
+	memory_list_processor(list, "integers: corners",
+		(exact->clip_capacity + exact->light_capacity) * sizeof(*exact->clip));
+	memory_list_processor(list, "integers: primitives",
+		blockers * sizeof(*fixed->casters.items) +
+			fixed->fins.capacity * sizeof(*fixed->fins.items) +
+			fixed->receivers.capacity * sizeof(*fixed->receivers.items));
 }
 
 /* to_clip * transform * p in double, in one order everywhere. */

@@ -17,8 +17,8 @@ struct exact_scene {
 
 void exact_scene_finish(struct exact_scene *exact);
 
-/** Of memory. */
-size_t exact_scene_bytes(const struct exact_scene *exact);
+/** Tells what it holds. */
+void exact_scene_list_memory(const struct exact_scene *exact, const struct memory_list *list);
 
 struct exact_view {
 	const struct light_frame *frame;

@@ -286,8 +286,8 @@ static bool draw_by_accumulator(
 	struct gpu *gpu = &pass->renderer->gpu;
 	struct picture *accumulator = &pass->renderer->accumulator;
 	pass->flags = 0;
-	if (!picture_resize(
-		    accumulator, &gpu->gl, view->width, view->height, GL_SRGB8_ALPHA8, error) ||
+	if (!picture_resize(accumulator, &gpu->gl, STORAGE_ACCUMULATOR, view->width, view->height,
+		    GL_SRGB8_ALPHA8, error) ||
 		!draw_lights(pass, 0, (uint32_t)pass->scene->light_count, accumulator->framebuffer,
 			error))
 		return false;

@@ -197,15 +197,6 @@ void sm_renderer_set_pass_observer(
 	renderer->gpu.gl.observer = observer != NULL ? *observer : none;
 }
 
-void sm_renderer_get_memory(
-	const struct sm_renderer *renderer, const struct sm_scene *scene, struct sm_memory *memory)
-{
-	*memory = (struct sm_memory){.targets = renderer->gpu.gl.target_bytes};
-	for (size_t i = 0; i < scene->mesh_count; i++)
-		memory->geometry += caster_bytes(&scene->meshes[i].caster);
-	memory->geometry += shadow_set_geometry_bytes(&renderer->shadows);
-}
-
 void sm_renderer_describe(struct sm_renderer *renderer, sm_fact fact, void *data)
 {
 	caps_describe(&renderer->gpu.caps, fact, data);

@@ -183,13 +183,18 @@ void shadow_set_forget(struct shadow_set *set)
 			set->shadows[i]->drawn = false;
 }
 
-size_t shadow_set_geometry_bytes(const struct shadow_set *set)
+void shadow_set_list_memory(const struct shadow_set *set, const struct memory_list *list)
 {
-	size_t bytes = 0;
-	for (size_t i = 0; i < set->count && set->technique->geometry_bytes != NULL; i++)
-		if (set->shadows[i] != NULL)
-			bytes += set->technique->geometry_bytes(set->shadows[i]->state);
-	return bytes;
+	memory_list_processor(list, "states of techniques", set->capacity * sizeof(*set->shadows));
+	for (size_t i = 0; i < set->count; i++) {
+		struct memory_list of_light = {list->sink, list->data, (uint32_t)i};
+		if (set->shadows[i] == NULL)
+			continue;
+		memory_list_processor(&of_light, "states of techniques",
+			sizeof(*set->shadows[i]) + set->technique->state_size);
+		if (set->technique->list_memory != NULL)
+			set->technique->list_memory(set->shadows[i]->state, &of_light);
+	}
 }
 
 /* Of surfaces that the technique has drawn with its map alone; what it drew before has none, and
@@ -246,7 +251,7 @@ static bool draw(const struct technique *technique, void *state, struct gpu *gpu
 		       : technique->prepare(state, gpu, scene, request->frame, error);
 }
 
-struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,
+static struct light_shadow *prepare(struct shadow_set *set, struct gpu *gpu,
 	const struct shadow_request *request, struct sm_error *error)
 {
 	const struct technique *technique = set->technique;
@@ -268,6 +273,15 @@ struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,
 	shadow->mapped = false;
 	shadow->drawn = draw(technique, shadow->state, gpu, request, error);
 	return shadow->drawn ? shadow : NULL;
+}
+
+struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,
+	const struct shadow_request *request, struct sm_error *error)
+{
+	gpu->gl.light = (uint32_t)request->index;
+	struct light_shadow *shadow = prepare(set, gpu, request, error);
+	gpu->gl.light = SM_NONE;
+	return shadow;
 }
 
 void shadow_set_leave(struct shadow_set *set, size_t index)

@@ -32,8 +32,8 @@ void shadow_set_finish(struct shadow_set *set, struct gpu *gpu);
 /** Each light is to be drawn anew. */
 void shadow_set_forget(struct shadow_set *set);
 
-/** Of the processor's memory, what the lights' states hold of geometry. */
-size_t shadow_set_geometry_bytes(const struct shadow_set *set);
+/** Tells what the lights' states hold of the processor's memory, and are. */
+void shadow_set_list_memory(const struct shadow_set *set, const struct memory_list *list);
 
 /** A light as a view is drawn with it. */
 struct shadow_request {

@@ -51,7 +51,7 @@ static bool draw_points(const struct surface_pass *view, struct sm_error *error)
 	pass.cells = NULL;
 	widen_view(view, pass.width, pass.height, wide);
 	pass.world_to_clip = wide;
-	if (!picture_resize(points, gl, pass.width, pass.height, GL_RG32UI, error))
+	if (!picture_resize(points, gl, STORAGE_POINTS, pass.width, pass.height, GL_RG32UI, error))
 		return false;
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
@@ -70,7 +70,8 @@ static bool join_points(
 	float tolerance[2];
 	/* Left by the surfaces. */
 	gpu->gl.Disable(GL_CULL_FACE);
-	if (!picture_resize(cells, &gpu->gl, points->width, points->height, GL_RGBA32UI, error))
+	if (!picture_resize(cells, &gpu->gl, STORAGE_CELLS, points->width, points->height,
+		    GL_RGBA32UI, error))
 		return false;
 	struct program_key key = {.kind = PROGRAM_CELLS};
 	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
@@ -90,9 +91,12 @@ bool sparse_pass_draw(
 	way_choose(&view->renderer->gpu, DRIVER_BRANCH, NULL);
 	if (!draw_points(view, error))
 		return false;
-	gl_push_group(&view->renderer->gpu.gl, "cells");
+	struct gl *gl = &view->renderer->gpu.gl;
+	gl_push_group(gl, "cells");
+	gl->light = (uint32_t)(light - view->renderer->lights);
 	bool drawn = join_points(view, &light->cells, error);
-	gl_pop_group(&view->renderer->gpu.gl);
+	gl->light = SM_NONE;
+	gl_pop_group(gl);
 	return drawn;
 }
 

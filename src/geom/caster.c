@@ -115,11 +115,3 @@ void caster_finish(struct caster *caster)
 	face_cones_finish(&caster->cones);
 	*caster = (struct caster){0};
 }
-
-size_t caster_bytes(const struct caster *caster)
-{
-	return caster->vertex_count * (sizeof(*caster->positions) + sizeof(*caster->sources)) +
-	       3 * caster->triangle_count * sizeof(*caster->indices) +
-	       edge_table_bytes(&caster->edges) + face_planes_bytes(&caster->planes) +
-	       face_cones_bytes(&caster->cones);
-}

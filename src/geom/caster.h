@@ -35,7 +35,4 @@ void caster_finish(struct caster *caster);
  *  take longer to make than triangles take to test. */
 void caster_move(struct caster *caster, const float (*positions)[3]);
 
-/** Of memory, in all. */
-size_t caster_bytes(const struct caster *caster);
-
 #endif

@@ -74,7 +74,8 @@ static bool measure(struct gpu *gpu, uint32_t *percent)
 	programs[LOAD_HALF] = programs[LOAD_ALL] = program_use(&gpu->programs, gl, branch, NULL);
 	double ms[LOADS];
 	bool made = programs[LOAD_PLAIN] != NULL && programs[LOAD_ALL] != NULL &&
-		    target_init(&target, gl, SIDE, GL_RGBA8, GL_COLOR_ATTACHMENT0, NULL);
+		    target_init(&target, gl, STORAGE_PROBES, SIDE, GL_RGBA8, GL_COLOR_ATTACHMENT0,
+			    NULL);
 	if (made) {
 		target_bind(&target, gl);
 		gl->BindVertexArray(0);

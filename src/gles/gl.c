@@ -4,7 +4,7 @@
 
 bool gl_load(struct gl *gl, sm_get_proc get_proc, struct sm_error *error)
 {
-	*gl = (struct gl){0};
+	*gl = (struct gl){.light = SM_NONE};
 #define GL_RESOLVE(upper, name)                              \
 	gl->name = (PFNGL##upper##PROC)get_proc("gl" #name); \
 	if (gl->name == NULL)                                \
@@ -74,11 +74,90 @@ void gl_pop_group(struct gl *gl)
 		*name = 0;                                 \
 	}
 
-GL_OBJECT(buffer, Buffer)
 GL_OBJECT(vertex_array, VertexArray)
-GL_OBJECT(texture, Texture)
 GL_OBJECT(sampler, Sampler)
 GL_OBJECT(framebuffer, Framebuffer)
+
+#define GL_STORAGE(name_of, Kind, KIND)                                     \
+	GLuint gl_create_##name_of(struct gl *gl, enum storage_owner owner) \
+	{                                                                   \
+		GLuint name = 0;                                            \
+		if (!storages_reserve(&gl->storages))                       \
+			return 0;                                           \
+		gl->Gen##Kind##s(1, &name);                                 \
+		if (name == 0)                                              \
+			return 0;                                           \
+		gl->objects++;                                              \
+		storages_add(&gl->storages, &(struct storage){.name = name, \
+						    .kind = STORAGE_##KIND, \
+						    .owner = owner,         \
+						    .light = gl->light});   \
+		return name;                                                \
+	}                                                                   \
+                                                                            \
+	void gl_delete_##name_of(struct gl *gl, GLuint *name)               \
+	{                                                                   \
+		if (*name == 0)                                             \
+			return;                                             \
+		gl->objects--;                                              \
+		gl->Delete##Kind##s(1, name);                               \
+		storages_remove(&gl->storages, *name, STORAGE_##KIND);      \
+		*name = 0;                                                  \
+	}
+
+GL_STORAGE(buffer, Buffer, BUFFER)
+GL_STORAGE(texture, Texture, TEXTURE)
+
+static void count(struct gl *gl, GLuint name, enum storage_kind kind, uint64_t bytes)
+{
+	if (name != 0)
+		storages_find(&gl->storages, name, kind)->bytes = bytes;
+}
+
+void gl_fill_buffer(
+	struct gl *gl, GLenum target, GLuint buffer, size_t bytes, const void *data, GLenum usage)
+{
+	gl->BindBuffer(target, buffer);
+	gl->BufferData(target, (GLsizeiptr)bytes, data, usage);
+	count(gl, buffer, STORAGE_BUFFER, bytes);
+}
+
+void gl_store_texture(
+	struct gl *gl, GLuint texture, GLenum internal_format, GLsizei width, GLsizei height)
+{
+	gl->BindTexture(GL_TEXTURE_2D, texture);
+	gl->TexStorage2D(GL_TEXTURE_2D, 1, internal_format, width, height);
+	count(gl, texture, STORAGE_TEXTURE, texture_bytes(internal_format, width, height, 1));
+}
+
+void gl_store_layers(
+	struct gl *gl, GLuint texture, GLenum internal_format, GLsizei size, GLsizei layers)
+{
+	gl->BindTexture(GL_TEXTURE_2D_ARRAY, texture);
+	gl->TexStorage3D(GL_TEXTURE_2D_ARRAY, 1, internal_format, size, size, layers);
+	count(gl, texture, STORAGE_TEXTURE,
+		(uint64_t)layers * texture_bytes(internal_format, size, size, 1));
+}
+
+void gl_fill_texture(struct gl *gl, GLuint texture, const struct texel_format *as, GLsizei width,
+	GLsizei height, const void *texels)
+{
+	gl->BindTexture(GL_TEXTURE_2D, texture);
+	gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)as->internal, width, height, 0, as->format,
+		as->type, texels);
+	count(gl, texture, STORAGE_TEXTURE, texture_bytes(as->internal, width, height, 1));
+}
+
+void gl_fill_levels(struct gl *gl, GLuint texture, const struct texel_format *as, GLsizei width,
+	GLsizei height, const void *texels)
+{
+	GLsizei levels = 1;
+	gl_fill_texture(gl, texture, as, width, height, texels);
+	gl->GenerateMipmap(GL_TEXTURE_2D);
+	while (width >> levels > 0 || height >> levels > 0)
+		levels++;
+	count(gl, texture, STORAGE_TEXTURE, texture_bytes(as->internal, width, height, levels));
+}
 
 GLuint gl_create_program(struct gl *gl)
 {

@@ -2,8 +2,7 @@
 #ifndef GLES_GL_H
 #define GLES_GL_H
 
-#include "base/error.h"
-#include <GLES3/gl3.h>
+#include "gles/storage.h"
 
 /* Extension tokens, from the Khronos registry; Debian's gl2ext.h wants gl2.h before it. */
 #define GL_TEXTURE_SRGB_DECODE_EXT 0x8A48
@@ -105,7 +104,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(VIEWPORT, Viewport)
 /* clang-format on */
 
-/** The GL entry points of one context, and a count of the objects made through them. */
+/** The GL entry points of one context, and what was made through them. */
 struct gl {
 #define GL_MEMBER(upper, name) PFNGL##upper##PROC name;
 	GL_FUNCTIONS(GL_MEMBER)
@@ -115,8 +114,9 @@ struct gl {
 	gl_pop_debug_group PopDebugGroup;
 	int objects; /* made and not yet deleted */
 	struct sm_pass_observer observer;
-	const char *group;     /* that is open; NULL: none */
-	uint64_t target_bytes; /* of all targets there are */
+	const char *group; /* that is open; NULL: none */
+	struct storages storages;
+	uint32_t light; /* that textures and buffers are made for; SM_NONE: none alone */
 };
 
 /** Resolves the ES 3.0 functions; fails (MACHINE) naming the first that is missing. */
@@ -131,12 +131,12 @@ void gl_push_group(struct gl *gl, const char *name);
 void gl_pop_group(struct gl *gl);
 
 /* Objects are counted, so that a leak is noticed when the renderer goes. Deleting 0 is fine, and
- * sets *name to 0. */
-GLuint gl_create_buffer(struct gl *gl);
+ * sets *name to 0. Textures and buffers are 0 without memory, and GL then refuses to fill them. */
+GLuint gl_create_buffer(struct gl *gl, enum storage_owner owner);
 void gl_delete_buffer(struct gl *gl, GLuint *name);
 GLuint gl_create_vertex_array(struct gl *gl);
 void gl_delete_vertex_array(struct gl *gl, GLuint *name);
-GLuint gl_create_texture(struct gl *gl);
+GLuint gl_create_texture(struct gl *gl, enum storage_owner owner);
 void gl_delete_texture(struct gl *gl, GLuint *name);
 GLuint gl_create_sampler(struct gl *gl);
 void gl_delete_sampler(struct gl *gl, GLuint *name);
@@ -144,6 +144,27 @@ GLuint gl_create_framebuffer(struct gl *gl);
 void gl_delete_framebuffer(struct gl *gl, GLuint *name);
 GLuint gl_create_program(struct gl *gl);
 void gl_delete_program(struct gl *gl, GLuint *name);
+
+/* What gives textures and buffers their memory is counted, and goes through these alone. All bind
+ * what they fill; textures at the unit that is active. */
+
+/** How texels are stored, and how they come. */
+struct texel_format {
+	GLenum internal, format, type;
+};
+
+void gl_fill_buffer(
+	struct gl *gl, GLenum target, GLuint buffer, size_t bytes, const void *data, GLenum usage);
+void gl_store_texture(
+	struct gl *gl, GLuint texture, GLenum internal_format, GLsizei width, GLsizei height);
+void gl_store_layers(
+	struct gl *gl, GLuint texture, GLenum internal_format, GLsizei size, GLsizei layers);
+/** texels: NULL for any. */
+void gl_fill_texture(struct gl *gl, GLuint texture, const struct texel_format *as, GLsizei width,
+	GLsizei height, const void *texels);
+/** The same, with all smaller levels. */
+void gl_fill_levels(struct gl *gl, GLuint texture, const struct texel_format *as, GLsizei width,
+	GLsizei height, const void *texels);
 
 /** Whether the framebuffer, which is bound under this name, encodes what is written as sRGB. */
 bool gl_framebuffer_is_srgb(struct gl *gl, uint32_t framebuffer);

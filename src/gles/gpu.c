@@ -25,7 +25,8 @@ void gpu_finish(struct gpu *gpu)
 	gl_delete_sampler(&gpu->gl, &gpu->stored_sampler);
 	gpu_scene_finish(&gpu->scene, &gpu->gl);
 	program_cache_finish(&gpu->programs, &gpu->gl);
-	assert(gpu->gl.objects == 0);
+	assert(gpu->gl.objects == 0 && gpu->gl.storages.count == 0);
+	storages_finish(&gpu->gl.storages);
 }
 
 static void draw_elements(struct gpu *gpu, size_t first, size_t count, GLenum type)
@@ -95,8 +96,8 @@ static bool reserve_quads(struct gpu *gpu, size_t quad_count, struct sm_error *e
 	static const uint32_t corners[6] = {0, 1, 2, 0, 2, 3};
 	for (size_t i = 0; i < capacity * 6; i++)
 		indices[i] = (uint32_t)(i / 6 * 4) + corners[i % 6];
-	gpu->gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(capacity * 6 * sizeof(*indices)),
-		indices, GL_STATIC_DRAW);
+	gl_fill_buffer(&gpu->gl, GL_ELEMENT_ARRAY_BUFFER, gpu->quad_indices,
+		capacity * 6 * sizeof(*indices), indices, GL_STATIC_DRAW);
 	free(indices);
 	gpu->quad_capacity = capacity;
 	return true;
@@ -104,8 +105,12 @@ static bool reserve_quads(struct gpu *gpu, size_t quad_count, struct sm_error *e
 
 bool gpu_draw_quads(struct gpu *gpu, size_t quad_count, struct sm_error *error)
 {
-	if (gpu->quad_indices == 0)
-		gpu->quad_indices = gl_create_buffer(&gpu->gl);
+	if (gpu->quad_indices == 0) {
+		uint32_t light = gpu->gl.light;
+		gpu->gl.light = SM_NONE;
+		gpu->quad_indices = gl_create_buffer(&gpu->gl, STORAGE_QUADS);
+		gpu->gl.light = light;
+	}
 	gpu->gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu->quad_indices);
 	if (!reserve_quads(gpu, quad_count, error))
 		return false;

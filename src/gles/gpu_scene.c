@@ -16,21 +16,18 @@ static void attribute(
 static void upload_vertices(struct gl *gl, GLuint buffer, const void *data, size_t bytes,
 	GLenum usage, uint64_t *uploaded)
 {
-	gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
-	gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, data, usage);
+	gl_fill_buffer(gl, GL_ARRAY_BUFFER, buffer, bytes, data, usage);
 	*uploaded += bytes;
 }
 
 /* 16-bit indices halve what the vertex stage reads; a mesh with more vertices needs 32. */
-static bool upload_indices(struct gl *gl, GLuint *buffer, const uint32_t *indices, size_t count,
+static bool upload_indices(struct gl *gl, GLuint buffer, const uint32_t *indices, size_t count,
 	size_t vertex_count, GLenum *type, uint64_t *uploaded)
 {
-	*buffer = gl_create_buffer(gl);
-	gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, *buffer);
 	if (vertex_count > UINT16_MAX) {
 		size_t bytes = count * sizeof(uint32_t);
 		*type = GL_UNSIGNED_INT;
-		gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)bytes, indices, GL_STATIC_DRAW);
+		gl_fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, buffer, bytes, indices, GL_STATIC_DRAW);
 		*uploaded += bytes;
 		return true;
 	}
@@ -41,7 +38,7 @@ static bool upload_indices(struct gl *gl, GLuint *buffer, const uint32_t *indice
 		narrow[i] = (uint16_t)indices[i];
 	size_t bytes = count * sizeof(*narrow);
 	*type = GL_UNSIGNED_SHORT;
-	gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)bytes, narrow, GL_STATIC_DRAW);
+	gl_fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, buffer, bytes, narrow, GL_STATIC_DRAW);
 	*uploaded += bytes;
 	free(narrow);
 	return true;
@@ -65,7 +62,8 @@ static bool upload_surface(
 		return false;
 	interleave(mesh, vertices);
 	gpu->surface = gl_create_vertex_array(gl);
-	gpu->surface_vertices = gl_create_buffer(gl);
+	gpu->surface_vertices = gl_create_buffer(gl, STORAGE_SURFACES);
+	gpu->surface_indices = gl_create_buffer(gl, STORAGE_SURFACES);
 	gl->BindVertexArray(gpu->surface);
 	upload_vertices(gl, gpu->surface_vertices, vertices, mesh->vertex_count * sizeof(*vertices),
 		GL_STATIC_DRAW, uploaded);
@@ -75,7 +73,7 @@ static bool upload_surface(
 	attribute(gl, ATTRIBUTE_NORMAL, 3, stride, offsetof(struct surface_vertex, normal));
 	attribute(gl, ATTRIBUTE_UV, 2, stride, offsetof(struct surface_vertex, uv));
 	gpu->surface_count = (GLsizei)mesh->index_count;
-	return upload_indices(gl, &gpu->surface_indices, mesh->indices, mesh->index_count,
+	return upload_indices(gl, gpu->surface_indices, mesh->indices, mesh->index_count,
 		mesh->vertex_count, &gpu->surface_type, uploaded);
 }
 
@@ -83,15 +81,16 @@ static bool upload_caster(
 	struct gpu_mesh *gpu, struct gl *gl, const struct caster *caster, uint64_t *uploaded)
 {
 	gpu->caster = gl_create_vertex_array(gl);
-	gpu->caster_vertices = gl_create_buffer(gl);
+	gpu->caster_vertices = gl_create_buffer(gl, STORAGE_CASTERS);
+	gpu->caster_indices = gl_create_buffer(gl, STORAGE_CASTERS);
 	gl->BindVertexArray(gpu->caster);
 	upload_vertices(gl, gpu->caster_vertices, caster->positions,
 		caster->vertex_count * sizeof(*caster->positions), GL_STATIC_DRAW, uploaded);
 	attribute(gl, ATTRIBUTE_POSITION, 3, sizeof(*caster->positions), 0);
 	size_t count = caster->triangle_count * 3;
 	gpu->caster_count = (GLsizei)count;
-	return upload_indices(gl, &gpu->caster_indices, caster->indices, count,
-		caster->vertex_count, &gpu->caster_type, uploaded);
+	return upload_indices(gl, gpu->caster_indices, caster->indices, count, caster->vertex_count,
+		&gpu->caster_type, uploaded);
 }
 
 static void find_clusters(struct gpu_mesh *gpu, const struct mesh *mesh)
@@ -168,12 +167,11 @@ static bool mesh_update(struct gpu_scene *scene, struct gpu_mesh *gpu, struct gl
 static bool image_upload(GLuint *texture, struct gl *gl, const struct image *image,
 	uint64_t *uploaded, struct sm_error *error)
 {
-	*texture = gl_create_texture(gl);
+	static const struct texel_format as = {GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
+	*texture = gl_create_texture(gl, STORAGE_IMAGES);
 	gl->ActiveTexture(GL_TEXTURE0);
-	gl->BindTexture(GL_TEXTURE_2D, *texture);
-	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, (GLsizei)image->width,
-		(GLsizei)image->height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image->rgba);
-	gl->GenerateMipmap(GL_TEXTURE_2D);
+	gl_fill_levels(
+		gl, *texture, &as, (GLsizei)image->width, (GLsizei)image->height, image->rgba);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
 	*uploaded += (uint64_t)image->width * image->height * 4;
 	const char *problem = gl_take_error(gl);
@@ -196,10 +194,9 @@ bool gpu_scene_update(struct gpu_scene *gpu, struct gl *gl, const struct sm_scen
 			return false;
 	if (gpu->mesh_count == scene->mesh_count && gpu->image_count == scene->image_count)
 		return true;
-	size_t mesh_capacity = gpu->mesh_count, image_capacity = gpu->image_count;
-	if (!array_reserve((void **)&gpu->meshes, &mesh_capacity, scene->mesh_count,
+	if (!array_reserve((void **)&gpu->meshes, &gpu->mesh_capacity, scene->mesh_count,
 		    sizeof(*gpu->meshes)) ||
-		!array_reserve((void **)&gpu->images, &image_capacity, scene->image_count,
+		!array_reserve((void **)&gpu->images, &gpu->image_capacity, scene->image_count,
 			sizeof(*gpu->images)))
 		return error_no_memory(error);
 	gl_take_error(gl);

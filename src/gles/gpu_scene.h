@@ -37,6 +37,7 @@ struct gpu_scene {
 	struct gpu_mesh *meshes;
 	GLuint *images;
 	size_t mesh_count, image_count;
+	size_t mesh_capacity, image_capacity;
 	/* Working memory, kept so that a mesh that moves allocates once; owned. */
 	struct surface_vertex *vertices;
 	size_t vertex_capacity;

@@ -1,33 +1,29 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/picture.h"
-#include "gles/target.h"
 
 static GLuint make_texture(
-	struct picture *picture, struct gl *gl, GLsizei width, GLsizei height, GLenum format)
+	struct gl *gl, enum storage_owner owner, GLsizei width, GLsizei height, GLenum format)
 {
-	GLuint texture = gl_create_texture(gl);
+	GLuint texture = gl_create_texture(gl, owner);
 	gl->ActiveTexture(GL_TEXTURE0);
-	gl->BindTexture(GL_TEXTURE_2D, texture);
-	gl->TexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
+	gl_store_texture(gl, texture, format, width, height);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 	gl->BindTexture(GL_TEXTURE_2D, 0);
-	picture->bytes += texture_bytes(format, width, height, 1);
 	return texture;
 }
 
-bool picture_init(struct picture *picture, struct gl *gl, uint32_t width, uint32_t height,
-	GLenum color_format, GLuint depth, struct sm_error *error)
+bool picture_init(struct picture *picture, struct gl *gl, enum storage_owner owner, uint32_t width,
+	uint32_t height, GLenum color_format, GLuint depth, struct sm_error *error)
 {
 	GLsizei w = (GLsizei)width, h = (GLsizei)height;
 	*picture = (struct picture){0};
 	gl_take_error(gl);
-	picture->color = make_texture(picture, gl, w, h, color_format);
+	picture->color = make_texture(gl, owner, w, h, color_format);
 	if (depth == 0)
-		depth = picture->depth = make_texture(picture, gl, w, h, GL_DEPTH_COMPONENT24);
-	gl->target_bytes += picture->bytes;
+		depth = picture->depth = make_texture(gl, owner, w, h, GL_DEPTH_COMPONENT24);
 	picture->framebuffer = gl_create_framebuffer(gl);
 	gl->BindFramebuffer(GL_FRAMEBUFFER, picture->framebuffer);
 	gl->FramebufferTexture2D(
@@ -46,15 +42,15 @@ bool picture_init(struct picture *picture, struct gl *gl, uint32_t width, uint32
 	return true;
 }
 
-bool picture_resize(struct picture *picture, struct gl *gl, uint32_t width, uint32_t height,
-	GLenum color_format, struct sm_error *error)
+bool picture_resize(struct picture *picture, struct gl *gl, enum storage_owner owner,
+	uint32_t width, uint32_t height, GLenum color_format, struct sm_error *error)
 {
 	if (picture->width == width && picture->height == height) {
 		picture_bind(picture, gl);
 		return true;
 	}
 	picture_finish(picture, gl);
-	return picture_init(picture, gl, width, height, color_format, 0, error);
+	return picture_init(picture, gl, owner, width, height, color_format, 0, error);
 }
 
 void picture_finish(struct picture *picture, struct gl *gl)
@@ -62,7 +58,6 @@ void picture_finish(struct picture *picture, struct gl *gl)
 	gl_delete_framebuffer(gl, &picture->framebuffer);
 	gl_delete_texture(gl, &picture->color);
 	gl_delete_texture(gl, &picture->depth);
-	gl->target_bytes -= picture->bytes;
 	*picture = (struct picture){0};
 }
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/primitives.h"
-#include "gles/target.h"
 #include <assert.h>
 
 /* As in exact_raster.vert. */
@@ -12,7 +11,6 @@ void primitives_finish(struct primitives *primitives, struct gl *gl)
 {
 	gl_delete_texture(gl, &primitives->texture);
 	gl_delete_vertex_array(gl, &primitives->array);
-	gl->target_bytes -= primitives->bytes;
 	*primitives = (struct primitives){0};
 }
 
@@ -21,13 +19,10 @@ static void make_texture(
 {
 	primitives_finish(primitives, gl);
 	primitives->array = gl_create_vertex_array(gl);
-	primitives->texture = gl_create_texture(gl);
+	primitives->texture = gl_create_texture(gl, STORAGE_PRIMITIVES);
 	primitives->width = width;
 	primitives->height = height;
-	primitives->bytes = texture_bytes(GL_RGBA32I, width, height, 1);
-	gl->target_bytes += primitives->bytes;
-	gl->BindTexture(GL_TEXTURE_2D, primitives->texture);
-	gl->TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32I, width, height);
+	gl_store_texture(gl, primitives->texture, GL_RGBA32I, width, height);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }

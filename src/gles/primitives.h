@@ -13,7 +13,6 @@
 struct primitives {
 	GLuint texture, array;
 	GLsizei width, height; /* of the texture */
-	uint64_t bytes;
 	size_t count;
 };
 

@@ -144,7 +144,8 @@ static const char *draw_values(
 static const char *draw_depth(struct probe *probe, bool by_shader)
 {
 	struct gl *gl = &probe->gpu->gl;
-	if (!target_init(&probe->depth, gl, SIDE, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, NULL))
+	if (!target_init(&probe->depth, gl, STORAGE_PROBES, SIDE, GL_DEPTH_COMPONENT24,
+		    GL_DEPTH_ATTACHMENT, NULL))
 		return no_target;
 	target_bind(&probe->depth, gl);
 	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
@@ -161,7 +162,8 @@ static const char *draw_colors(struct probe *probe, const struct color_probe *wh
 	static const GLfloat white[4] = {1.0f, 1.0f, 1.0f, 1.0f};
 	if (what->format == 0)
 		return NULL;
-	if (!target_init(&probe->colors, gl, SIDE, what->format, GL_COLOR_ATTACHMENT0, NULL))
+	if (!target_init(&probe->colors, gl, STORAGE_PROBES, SIDE, what->format,
+		    GL_COLOR_ATTACHMENT0, NULL))
 		return no_target;
 	if (what->filtered) {
 		gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -178,12 +180,11 @@ static const char *draw_colors(struct probe *probe, const struct color_probe *wh
 	return problem;
 }
 
-static GLuint upload(struct gl *gl, GLint format, GLenum layout, GLenum type, const void *texels)
+static GLuint upload(struct gl *gl, const struct texel_format *as, const void *texels)
 {
-	GLuint texture = gl_create_texture(gl);
+	GLuint texture = gl_create_texture(gl, STORAGE_PROBES);
 	gl->ActiveTexture(GL_TEXTURE0);
-	gl->BindTexture(GL_TEXTURE_2D, texture);
-	gl->TexImage2D(GL_TEXTURE_2D, 0, format, SIDE, SIDE, 0, layout, type, texels);
+	gl_fill_texture(gl, texture, as, SIDE, SIDE, texels);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 	return texture;
@@ -191,15 +192,17 @@ static GLuint upload(struct gl *gl, GLint format, GLenum layout, GLenum type, co
 
 static void bind_all(struct probe *probe, bool stored)
 {
+	static const struct texel_format stored_format = {
+		GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
+	static const struct texel_format float_format = {GL_R32F, GL_RED, GL_FLOAT};
 	struct gpu *gpu = probe->gpu;
 	uint8_t grey[SIDE * SIDE * 4];
 	if (stored) {
 		memset(grey, STORED_BYTE, sizeof(grey));
-		probe->uploaded =
-			upload(&gpu->gl, GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, grey);
+		probe->uploaded = upload(&gpu->gl, &stored_format, grey);
 		gpu_bind_stored_sampler(gpu, UNIT_SMOOTHIE);
 	}
-	probe->floats = upload(&gpu->gl, GL_R32F, GL_RED, GL_FLOAT, floats);
+	probe->floats = upload(&gpu->gl, &float_format, floats);
 	probe->compare = gpu_create_compare_sampler(gpu, GL_LINEAR);
 	gpu_bind_texture(gpu, UNIT_BASE, probe->colors.texture);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE, stored ? probe->uploaded : probe->colors.texture);
@@ -302,8 +305,8 @@ static void draw(struct probe *probe, enum cap cap)
 	gl->Disable(GL_DITHER);
 	const char *colors = draw_colors(probe, &color_probes[cap]);
 	const char *depth = draw_depth(probe, cap == CAP_FRAG_DEPTH_MIN);
-	bool complete =
-		target_init(&probe->bytes, gl, READINGS, GL_RGBA8, GL_COLOR_ATTACHMENT0, NULL);
+	bool complete = target_init(
+		&probe->bytes, gl, STORAGE_PROBES, READINGS, GL_RGBA8, GL_COLOR_ATTACHMENT0, NULL);
 	bind_all(probe, cap == CAP_SRGB_STORED);
 	const char *read = complete ? read_values(probe) : no_target;
 	gl->Enable(GL_DITHER);

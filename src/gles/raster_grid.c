@@ -47,11 +47,10 @@ static bool draw_rows(struct gpu *gpu)
 	const struct program *program = program_use(&gpu->programs, gl, key, NULL);
 	if (program == NULL)
 		return false;
-	GLuint array = gl_create_vertex_array(gl), buffer = gl_create_buffer(gl);
+	GLuint array = gl_create_vertex_array(gl), buffer = gl_create_buffer(gl, STORAGE_PROBES);
 	fill_rows(corners);
 	gl->BindVertexArray(array);
-	gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
-	gl->BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners, GL_STREAM_DRAW);
+	gl_fill_buffer(gl, GL_ARRAY_BUFFER, buffer, sizeof(corners), corners, GL_STREAM_DRAW);
 	gl->EnableVertexAttribArray(ATTRIBUTE_POSITION);
 	gl->VertexAttribPointer(ATTRIBUTE_POSITION, 3, GL_FLOAT, GL_FALSE, 0, NULL);
 	gl->Disable(GL_DEPTH_TEST);
@@ -97,7 +96,8 @@ uint32_t raster_grid_bits(struct gpu *gpu)
 	gl->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
 	gl->GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
 	gl->GetIntegerv(GL_VIEWPORT, viewport);
-	bool made = target_init(&target, gl, SIDE, GL_RG32UI, GL_COLOR_ATTACHMENT0, NULL);
+	bool made = target_init(
+		&target, gl, STORAGE_PROBES, SIDE, GL_RG32UI, GL_COLOR_ATTACHMENT0, NULL);
 	if (made)
 		target_bind(&target, gl);
 	gpu->raster_bits = made && draw_rows(gpu) ? read_bits(gl) : promised_bits(gl);

@@ -1,30 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/target.h"
 
-/* Of the formats that are drawn into. */
-static uint64_t texel_bytes(GLenum internal_format)
-{
-	switch (internal_format) {
-	case GL_R16F:
-	case GL_R16UI:
-		return 2;
-	case GL_RGBA16F:
-	case GL_RG32F:
-	case GL_RG32UI:
-		return 8;
-	case GL_RGBA32I:
-	case GL_RGBA32UI:
-		return 16;
-	default:
-		return 4;
-	}
-}
-
-uint64_t texture_bytes(GLenum internal_format, GLsizei width, GLsizei height, GLsizei layers)
-{
-	return texel_bytes(internal_format) * (uint64_t)width * (uint64_t)height * (uint64_t)layers;
-}
-
 static void set_texture_parameters(struct gl *gl, GLenum kind)
 {
 	gl->TexParameteri(kind, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -34,10 +10,11 @@ static void set_texture_parameters(struct gl *gl, GLenum kind)
 }
 
 /* Makes the target's texture of that kind, bound. */
-static void create_texture(struct target *target, struct gl *gl, GLenum kind)
+static void create_texture(
+	struct target *target, struct gl *gl, GLenum kind, enum storage_owner owner)
 {
 	gl_take_error(gl);
-	target->texture = gl_create_texture(gl);
+	target->texture = gl_create_texture(gl, owner);
 	gl->ActiveTexture(GL_TEXTURE0);
 	gl->BindTexture(kind, target->texture);
 	set_texture_parameters(gl, kind);
@@ -54,9 +31,8 @@ static void create_framebuffer(struct target *target, struct gl *gl)
 	}
 }
 
-/* Whether all went well, and if so counts the bytes. */
-static bool check_target(struct target *target, struct gl *gl, uint64_t bytes, GLsizei layers,
-	struct sm_error *error)
+static bool check_target(
+	struct target *target, struct gl *gl, GLsizei layers, struct sm_error *error)
 {
 	const char *problem = gl_take_error(gl);
 	if (problem == NULL &&
@@ -68,40 +44,38 @@ static bool check_target(struct target *target, struct gl *gl, uint64_t bytes, G
 	if (problem != NULL)
 		return error_set(error, SM_ERROR_MACHINE, "no texture of %dx%d texels: %s",
 			target->size, target->size, problem);
-	target->bytes = bytes;
-	gl->target_bytes += bytes;
+	target->whole = true;
 	return true;
 }
 
-bool target_init(struct target *target, struct gl *gl, GLsizei size, GLenum internal_format,
-	GLenum attachment, struct sm_error *error)
-{
-	*target = (struct target){.size = size, .attachment = attachment};
-	create_texture(target, gl, GL_TEXTURE_2D);
-	gl->TexStorage2D(GL_TEXTURE_2D, 1, internal_format, size, size);
-	create_framebuffer(target, gl);
-	gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, target->texture, 0);
-	return check_target(target, gl, texture_bytes(internal_format, size, size, 1), 1, error);
-}
-
-bool target_init_layers(struct target *target, struct gl *gl, GLsizei size, GLsizei layers,
+bool target_init(struct target *target, struct gl *gl, enum storage_owner owner, GLsizei size,
 	GLenum internal_format, GLenum attachment, struct sm_error *error)
 {
 	*target = (struct target){.size = size, .attachment = attachment};
-	create_texture(target, gl, GL_TEXTURE_2D_ARRAY);
-	gl->TexStorage3D(GL_TEXTURE_2D_ARRAY, 1, internal_format, size, size, layers);
+	create_texture(target, gl, GL_TEXTURE_2D, owner);
+	gl_store_texture(gl, target->texture, internal_format, size, size);
+	create_framebuffer(target, gl);
+	gl->FramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, target->texture, 0);
+	return check_target(target, gl, 1, error);
+}
+
+bool target_init_layers(struct target *target, struct gl *gl, enum storage_owner owner,
+	GLsizei size, GLsizei layers, GLenum internal_format, GLenum attachment,
+	struct sm_error *error)
+{
+	*target = (struct target){.size = size, .attachment = attachment};
+	create_texture(target, gl, GL_TEXTURE_2D_ARRAY, owner);
+	gl_store_layers(gl, target->texture, internal_format, size, layers);
 	create_framebuffer(target, gl);
 	target_bind_layer(target, gl, 0);
-	return check_target(
-		target, gl, texture_bytes(internal_format, size, size, layers), layers, error);
+	return check_target(target, gl, layers, error);
 }
 
 void target_finish(struct target *target, struct gl *gl)
 {
 	gl_delete_framebuffer(gl, &target->framebuffer);
 	gl_delete_texture(gl, &target->texture);
-	gl->target_bytes -= target->bytes;
-	target->bytes = 0;
+	target->whole = false;
 }
 
 void target_bind(const struct target *target, struct gl *gl)

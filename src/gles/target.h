@@ -9,20 +9,18 @@ struct target {
 	GLenum attachment;
 	GLuint texture, framebuffer;
 	GLsizei size; /* texels a side */
-	uint64_t bytes;
+	bool whole;   /* and not half-made */
 };
-
-/** Of a texture of a format that is drawn into. */
-uint64_t texture_bytes(GLenum internal_format, GLsizei width, GLsizei height, GLsizei layers);
 
 /** Nearest filtering, clamped to the edge. attachment:
  * GL_COLOR_ATTACHMENT0 or GL_DEPTH_ATTACHMENT. Leaves the target bound as framebuffer, and the
  * texture at unit 0. On failure (MACHINE) finish() is still to be called. */
-bool target_init(struct target *target, struct gl *gl, GLsizei size, GLenum internal_format,
-	GLenum attachment, struct sm_error *error);
-/** The same with an array of layers; the first of them is bound. */
-bool target_init_layers(struct target *target, struct gl *gl, GLsizei size, GLsizei layers,
+bool target_init(struct target *target, struct gl *gl, enum storage_owner owner, GLsizei size,
 	GLenum internal_format, GLenum attachment, struct sm_error *error);
+/** The same with an array of layers; the first of them is bound. */
+bool target_init_layers(struct target *target, struct gl *gl, enum storage_owner owner,
+	GLsizei size, GLsizei layers, GLenum internal_format, GLenum attachment,
+	struct sm_error *error);
 /** Fine on a half-made or zeroed target. */
 void target_finish(struct target *target, struct gl *gl);
 

@@ -75,11 +75,14 @@ void fin_set_finish(struct fin_set *set)
 	*set = (struct fin_set){0};
 }
 
-size_t fin_set_bytes(const struct fin_set *set)
+void fin_set_list_memory(const struct fin_set *set, const struct memory_list *list)
 {
-	return set->facing_capacity * sizeof(*set->facing) +
-	       set->edge_capacity * sizeof(*set->edges) +
-	       set->vertex_capacity * sizeof(*set->vertices) + fin_scratch_bytes(&set->scratch);
+	memory_list_processor(
+		list, "silhouettes: facing", set->facing_capacity * sizeof(*set->facing));
+	memory_list_processor(list, "silhouettes: edges", set->edge_capacity * sizeof(*set->edges));
+	memory_list_processor(list, "fins: corners", fin_scratch_bytes(&set->scratch));
+	memory_list_processor(
+		list, "fins: vertices", set->vertex_capacity * sizeof(*set->vertices));
 }
 
 /* A bound on how far a fin goes from its silhouette, NDC: at a corner it is longer than wide. What

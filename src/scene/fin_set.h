@@ -2,6 +2,7 @@
 #ifndef SCENE_FIN_SET_H
 #define SCENE_FIN_SET_H
 
+#include "base/memory_list.h"
 #include "geom/fins.h"
 #include "scene/light.h"
 
@@ -38,8 +39,8 @@ struct fin_set {
 
 void fin_set_finish(struct fin_set *set);
 
-/** Of memory. */
-size_t fin_set_bytes(const struct fin_set *set);
+/** Tells what it holds. */
+void fin_set_list_memory(const struct fin_set *set, const struct memory_list *list);
 
 /** Finds the silhouettes of all casters and builds their fins: none for a point light whose fins
  * get their width from it. map_size: texels a side that they are drawn over. on_screen: of those

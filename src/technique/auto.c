@@ -118,14 +118,16 @@ static enum sm_sampling auto_sampling(void *state, const struct sm_scene *scene,
 		       : SM_SAMPLING_DENSE;
 }
 
-static size_t auto_geometry_bytes(const void *state)
+static void auto_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct choice *choice = state;
-	size_t bytes = 0;
-	for (enum pick pick = 0; pick < PICKS; pick++)
-		if (choice->states[pick] != NULL && picks[pick]->geometry_bytes != NULL)
-			bytes += picks[pick]->geometry_bytes(choice->states[pick]);
-	return bytes;
+	for (enum pick pick = 0; pick < PICKS; pick++) {
+		if (choice->states[pick] == NULL)
+			continue;
+		memory_list_processor(list, "states of techniques", picks[pick]->state_size);
+		if (picks[pick]->list_memory != NULL)
+			picks[pick]->list_memory(choice->states[pick], list);
+	}
 }
 
 static void auto_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -152,6 +154,6 @@ const struct technique technique_auto = {
 	.soft_is_all = true,
 	.sampling = auto_sampling,
 	.fits_screen = true,
-	.geometry_bytes = auto_geometry_bytes,
+	.list_memory = auto_list_memory,
 	.bind = auto_bind,
 };

@@ -56,8 +56,8 @@ static bool init_plain(struct depth_map *map, struct gpu *gpu, struct sm_error *
 	map->write = ways.write;
 	if (ways.format == 0)
 		return true;
-	if (!target_init(
-		    &map->plain, gl, map->target.size, ways.format, GL_COLOR_ATTACHMENT0, error))
+	if (!target_init(&map->plain, gl, STORAGE_PLAIN_DEPTHS, map->target.size, ways.format,
+		    GL_COLOR_ATTACHMENT0, error))
 		return false;
 	gl->FramebufferTexture2D(
 		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map->target.texture, 0);
@@ -68,8 +68,8 @@ bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
 	enum depth_map_filter filter, bool plain, struct sm_error *error)
 {
 	map->filter = filter;
-	if (!target_init(&map->target, &gpu->gl, (GLsizei)size, GL_DEPTH_COMPONENT24,
-		    GL_DEPTH_ATTACHMENT, error))
+	if (!target_init(&map->target, &gpu->gl, STORAGE_SHADOW_MAPS, (GLsizei)size,
+		    GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
 		return false;
 	map->compare = depth_map_create_sampler(gpu, filter);
 	return !plain || init_plain(map, gpu, error);

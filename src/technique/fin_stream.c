@@ -7,7 +7,7 @@ void fin_stream_init(struct fin_stream *stream, struct gpu *gpu)
 {
 	struct gl *gl = &gpu->gl;
 	stream->array = gl_create_vertex_array(gl);
-	stream->buffer = gl_create_buffer(gl);
+	stream->buffer = gl_create_buffer(gl, STORAGE_FINS);
 	gl->BindVertexArray(stream->array);
 	gl->BindBuffer(GL_ARRAY_BUFFER, stream->buffer);
 	static const struct {
@@ -53,9 +53,8 @@ static void mark_fins(struct fin_stream *stream, GLsizei map_size)
 static void upload(struct fin_stream *stream, struct gpu *gpu)
 {
 	size_t bytes = stream->set.vertex_count * sizeof(*stream->set.vertices);
-	gpu->gl.BindBuffer(GL_ARRAY_BUFFER, stream->buffer);
-	gpu->gl.BufferData(
-		GL_ARRAY_BUFFER, (GLsizeiptr)bytes, stream->set.vertices, GL_STREAM_DRAW);
+	gl_fill_buffer(&gpu->gl, GL_ARRAY_BUFFER, stream->buffer, bytes, stream->set.vertices,
+		GL_STREAM_DRAW);
 	gpu->stats.fin_vertices += stream->set.vertex_count;
 	gpu->stats.uploaded_bytes += bytes;
 }

@@ -42,9 +42,9 @@ struct gather {
 	uint32_t map_size, subpixel_bits;
 };
 
-static GLuint create_table(struct gl *gl)
+static GLuint create_table(struct gl *gl, enum storage_owner owner)
 {
-	GLuint texture = gl_create_texture(gl);
+	GLuint texture = gl_create_texture(gl, owner);
 	gl->ActiveTexture(GL_TEXTURE0);
 	gl->BindTexture(GL_TEXTURE_2D, texture);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -58,9 +58,9 @@ static void upload_masks(struct gather *gather, struct gl *gl)
 {
 	static uint32_t table[DISC_MASK_ANGLES * DISC_MASK_DISTANCES][2];
 	disc_mask_table(table);
-	gather->masks = create_table(gl);
-	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RG32UI, DISC_MASK_ANGLES, DISC_MASK_DISTANCES, 0,
-		GL_RG_INTEGER, GL_UNSIGNED_INT, table);
+	static const struct texel_format as = {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT};
+	gather->masks = create_table(gl, STORAGE_TABLES);
+	gl_fill_texture(gl, gather->masks, &as, DISC_MASK_ANGLES, DISC_MASK_DISTANCES, table);
 }
 
 static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
@@ -72,13 +72,13 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 	gather->map_size = options->map_size;
 	gather->sampling = options->sampling;
 	GLsizei size = (GLsizei)gather_layer_size(options->map_size);
-	if (!target_init(
-		    &gather->depth, gl, size, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
+	if (!target_init(&gather->depth, gl, STORAGE_LAYER_DEPTHS, size, GL_DEPTH_COMPONENT24,
+		    GL_DEPTH_ATTACHMENT, error))
 		return false;
 	upload_masks(gather, gl);
-	gather->tiles = create_table(gl);
-	gather->runs.texture = create_table(gl);
-	gather->vertices.texture = create_table(gl);
+	gather->tiles = create_table(gl, STORAGE_EDGE_LISTS);
+	gather->runs.texture = create_table(gl, STORAGE_EDGE_LISTS);
+	gather->vertices.texture = create_table(gl, STORAGE_EDGE_LISTS);
 	return true;
 }
 
@@ -119,12 +119,13 @@ static void draw_sheets(struct gpu *gpu, const struct sm_scene *scene,
 static bool bind_layer(struct gather *gather, struct gl *gl, int layer, struct sm_error *error)
 {
 	struct target *target = &gather->layers[layer];
-	if (target->bytes > 0) {
+	if (target->whole) {
 		target_bind(target, gl);
 		return true;
 	}
 	target_finish(target, gl);
-	if (!target_init(target, gl, gather->depth.size, GL_RG32UI, GL_COLOR_ATTACHMENT0, error))
+	if (!target_init(target, gl, STORAGE_LAYERS, gather->depth.size, GL_RG32UI,
+		    GL_COLOR_ATTACHMENT0, error))
 		return false;
 	gl->FramebufferTexture2D(
 		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, gather->depth.texture, 0);
@@ -185,14 +186,8 @@ static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_
 _Static_assert(sizeof(struct edge_run) == TABLE_TEXEL_BYTES, "a texel");
 _Static_assert(sizeof(struct edge_vertex) == TABLE_TEXEL_BYTES, "a texel");
 
-/* How the texels of a table are stored. */
-struct table_format {
-	GLint internal;
-	GLenum format, type;
-};
-
 /* Writes texels, at most `most`, a whole number of rows. */
-static void upload_table(struct gl *gl, struct list_table *table, const struct table_format *as,
+static void upload_table(struct gl *gl, struct list_table *table, const struct texel_format *as,
 	const void *texels, size_t count, GLsizei most)
 {
 	GLsizei full = (GLsizei)(count / TABLE_ROW), rest = (GLsizei)(count % TABLE_ROW);
@@ -201,8 +196,7 @@ static void upload_table(struct gl *gl, struct list_table *table, const struct t
 	if (rows > table->rows || rows == 0) {
 		table->rows =
 			rows + rows / 2 < most / TABLE_ROW ? rows + rows / 2 : most / TABLE_ROW;
-		gl->TexImage2D(GL_TEXTURE_2D, 0, as->internal, TABLE_ROW, table->rows, 0,
-			as->format, as->type, NULL);
+		gl_fill_texture(gl, table->texture, as, TABLE_ROW, table->rows, NULL);
 	}
 	if (full > 0)
 		gl->TexSubImage2D(
@@ -214,8 +208,8 @@ static void upload_table(struct gl *gl, struct list_table *table, const struct t
 
 static void upload_edges(struct gather *gather, struct gl *gl)
 {
-	static const struct table_format runs = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
-	static const struct table_format vertices = {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+	static const struct texel_format runs = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+	static const struct texel_format vertices = {GL_RGBA32F, GL_RGBA, GL_FLOAT};
 	const struct edge_grid *grid = &gather->grid;
 	upload_table(gl, &gather->runs, &runs, grid->runs, grid->run_count, GATHER_RUNS_MAX);
 	upload_table(gl, &gather->vertices, &vertices, grid->vertices, grid->vertex_count,
@@ -224,11 +218,9 @@ static void upload_edges(struct gather *gather, struct gl *gl)
 
 static void upload_tiles(struct gather *gather, struct gpu *gpu)
 {
-	struct gl *gl = &gpu->gl;
+	static const struct texel_format as = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
 	GLsizei side = (GLsizei)gather->grid.tiles;
-	gl->BindTexture(GL_TEXTURE_2D, gather->tiles);
-	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, side, side, 0, GL_RGBA_INTEGER,
-		GL_UNSIGNED_INT, gather->grid.of);
+	gl_fill_texture(&gpu->gl, gather->tiles, &as, side, side, gather->grid.of);
 }
 
 /* Whether there is an edge to add up or a caster to be behind. Tiles are 32, 64 or 128 a side. */
@@ -394,10 +386,17 @@ static void gather_leave(void *state)
 	gather->scene = 0;
 }
 
-static size_t gather_geometry_bytes(const void *state)
+static void gather_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct gather *gather = state;
-	return edge_grid_bytes(&gather->grid);
+	const struct edge_grid *grid = &gather->grid;
+	size_t chains = edge_chains_bytes(&grid->chains);
+	size_t depths = tile_depths_bytes(&grid->depths), cover = edge_cover_bytes(&grid->cover);
+	memory_list_processor(list, "silhouettes: chains", chains);
+	memory_list_processor(list, "tiles: depths", depths);
+	memory_list_processor(list, "tiles: reach of edges", cover);
+	memory_list_processor(
+		list, "tiles: lists of edges", edge_grid_bytes(grid) - chains - depths - cover);
 }
 
 static void gather_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -446,6 +445,6 @@ const struct technique technique_gather = {
 	.soft_grid = gather_soft_grid,
 	.soft_is_all = true,
 	.sampling = gather_sampling,
-	.geometry_bytes = gather_geometry_bytes,
+	.list_memory = gather_list_memory,
 	.bind = gather_bind,
 };

@@ -21,15 +21,16 @@ static bool maps_init(void *state, struct gpu *gpu, const struct sm_shadow_optio
 		return false;
 	disc_init(&maps->disc, options->samples);
 	maps->surface_flags = FLAG_MAPS | ways.compare;
-	if (!target_init_layers(&maps->layers, &gpu->gl, (GLsizei)options->map_size,
-		    maps->disc.count, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
+	if (!target_init_layers(&maps->layers, &gpu->gl, STORAGE_SHADOW_MAPS,
+		    (GLsizei)options->map_size, maps->disc.count, GL_DEPTH_COMPONENT24,
+		    GL_DEPTH_ATTACHMENT, error))
 		return false;
 	maps->compare = depth_map_create_sampler(gpu, DEPTH_MAP_LINEAR);
 	if (!ways.compares_plainly || ways.format == 0)
 		return true;
 	maps->write = ways.write;
-	return target_init_layers(&maps->plain, &gpu->gl, maps->layers.size, maps->disc.count,
-		ways.format, GL_COLOR_ATTACHMENT0, error);
+	return target_init_layers(&maps->plain, &gpu->gl, STORAGE_PLAIN_DEPTHS, maps->layers.size,
+		maps->disc.count, ways.format, GL_COLOR_ATTACHMENT0, error);
 }
 
 static void maps_finish(void *state, struct gpu *gpu)

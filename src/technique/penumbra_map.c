@@ -27,6 +27,6 @@ const struct technique technique_penumbra_map = {
 	.prepare = smoothie_prepare,
 	.surface_flags = smoothie_surface_flags,
 	.soft_grid = smoothie_soft_grid,
-	.geometry_bytes = smoothie_geometry_bytes,
+	.list_memory = smoothie_list_memory,
 	.bind = smoothie_bind,
 };

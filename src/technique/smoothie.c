@@ -11,11 +11,10 @@ static void make_falloff(struct smoothie *smoothie, struct gl *gl)
 		double alpha = i / (FALLOFF_SIZE - 1.0);
 		table[i] = (uint8_t)lround(255.0 * (0.5 - 0.5 * cos(GLM_PI * alpha)));
 	}
-	smoothie->falloff = gl_create_texture(gl);
+	static const struct texel_format as = {GL_R8, GL_RED, GL_UNSIGNED_BYTE};
+	smoothie->falloff = gl_create_texture(gl, STORAGE_TABLES);
 	gl->ActiveTexture(GL_TEXTURE0);
-	gl->BindTexture(GL_TEXTURE_2D, smoothie->falloff);
-	gl->TexImage2D(
-		GL_TEXTURE_2D, 0, GL_R8, FALLOFF_SIZE, 1, 0, GL_RED, GL_UNSIGNED_BYTE, table);
+	gl_fill_texture(gl, smoothie->falloff, &as, FALLOFF_SIZE, 1, table);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -61,14 +60,15 @@ bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
 		make_falloff(smoothie, gl);
 	if (!depth_map_init(
 		    &smoothie->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
-		!target_init(&smoothie->buffer, gl, size,
+		!target_init(&smoothie->buffer, gl, STORAGE_SMOOTHIES, size,
 			way_at(DRIVER_SMOOTHIE, (size_t)smoothie->way)->format,
 			smoothie->way == SMOOTHIE_DEPTH_TEST ? GL_DEPTH_ATTACHMENT
 							     : GL_COLOR_ATTACHMENT0,
 			error))
 		return false;
-	return !smoothie->two_passes || target_init(&smoothie->depth, gl, size,
-						GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error);
+	return !smoothie->two_passes ||
+	       target_init(&smoothie->depth, gl, STORAGE_SMOOTHIE_DEPTHS, size,
+		       GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error);
 }
 
 void smoothie_finish(void *state, struct gpu *gpu)
@@ -183,10 +183,10 @@ const struct screen_grid *smoothie_soft_grid(const void *state)
 	return &smoothie->fins.grid;
 }
 
-size_t smoothie_geometry_bytes(const void *state)
+void smoothie_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct smoothie *smoothie = state;
-	return fin_set_bytes(&smoothie->fins.set);
+	fin_set_list_memory(&smoothie->fins.set, list);
 }
 
 void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -216,6 +216,6 @@ const struct technique technique_smoothie = {
 	.prepare = smoothie_prepare,
 	.surface_flags = smoothie_surface_flags,
 	.soft_grid = smoothie_soft_grid,
-	.geometry_bytes = smoothie_geometry_bytes,
+	.list_memory = smoothie_list_memory,
 	.bind = smoothie_bind,
 };

@@ -32,10 +32,10 @@ static bool two_sided_init(void *state, struct gpu *gpu, const struct sm_shadow_
 	fin_stream_init(&two_sided->fins, gpu);
 	if (!depth_map_init(
 		    &two_sided->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
-		!target_init(&two_sided->nearness, gl, size, GL_DEPTH_COMPONENT24,
-			GL_DEPTH_ATTACHMENT, error) ||
-		!target_init(
-			&two_sided->buffer, gl, size, GL_RGBA32UI, GL_COLOR_ATTACHMENT0, error))
+		!target_init(&two_sided->nearness, gl, STORAGE_SMOOTHIE_DEPTHS, size,
+			GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error) ||
+		!target_init(&two_sided->buffer, gl, STORAGE_SMOOTHIES, size, GL_RGBA32UI,
+			GL_COLOR_ATTACHMENT0, error))
 		return false;
 	gl->FramebufferTexture2D(
 		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, two_sided->nearness.texture, 0);
@@ -120,10 +120,10 @@ static const struct screen_grid *two_sided_soft_grid(const void *state)
 	return &two_sided->fins.grid;
 }
 
-static size_t two_sided_geometry_bytes(const void *state)
+static void two_sided_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct two_sided *two_sided = state;
-	return fin_set_bytes(&two_sided->fins.set);
+	fin_set_list_memory(&two_sided->fins.set, list);
 }
 
 static void two_sided_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -146,6 +146,6 @@ const struct technique technique_smoothie_two_sided = {
 	.prepare = two_sided_prepare,
 	.surface_flags = two_sided_surface_flags,
 	.soft_grid = two_sided_soft_grid,
-	.geometry_bytes = two_sided_geometry_bytes,
+	.list_memory = two_sided_list_memory,
 	.bind = two_sided_bind,
 };

@@ -2,6 +2,7 @@
 #ifndef TECHNIQUE_TECHNIQUE_H
 #define TECHNIQUE_TECHNIQUE_H
 
+#include "base/memory_list.h"
 #include "geom/screen_grid.h"
 #include "gles/gpu.h"
 #include "scene/light.h"
@@ -73,8 +74,8 @@ struct technique {
 	/** How far on the light's screen, NDC, from where it is a surface may be darkened by a
 	 *  caster, beyond the texels of a bilinear look-up. NULL: no farther. */
 	float (*reach)(const void *state, const struct light_frame *frame);
-	/** Bytes of geometry in the processor's memory. NULL: none. */
-	size_t (*geometry_bytes)(const void *state);
+	/** Tells what the state holds of the processor's memory. NULL: nothing beside itself. */
+	void (*list_memory)(const void *state, const struct memory_list *list);
 	/** Binds textures and sets uniforms of a program with these flags, in use. */
 	void (*bind)(const void *state, struct gpu *gpu, const struct light_frame *frame,
 		const struct program *program);
