@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Which memory is whose: GL's as gl.h counts it, the processor's as its owners tell. */
 #include "base/memory_list.h"
+#include "gles/target.h"
 #include "renderer.h"
 #include <string.h>
 
@@ -72,7 +73,7 @@ static void list_gpu(const struct memory_list *list, const struct gpu *gpu)
 	memory_list_processor(list, "meshes: vertices on their way",
 		scene->vertex_capacity * sizeof(*scene->vertices));
 	memory_list_processor(list, "names of GL",
-		scene->mesh_capacity * sizeof(*scene->meshes) +
+		targets_shared_bytes(&gpu->gl) + scene->mesh_capacity * sizeof(*scene->meshes) +
 			scene->image_capacity * sizeof(*scene->images) +
 			gpu->gl.storages.capacity * sizeof(*gpu->gl.storages.slots));
 	memory_list_processor(list, "programs",

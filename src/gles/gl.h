@@ -117,6 +117,7 @@ struct gl {
 	const char *group; /* that is open; NULL: none */
 	struct storages storages;
 	uint32_t light; /* that textures and buffers are made for; SM_NONE: none alone */
+	struct shared_target *shared_targets; /* of target.h, a list; owned by those who use them */
 };
 
 /** Resolves the ES 3.0 functions; fails (MACHINE) naming the first that is missing. */

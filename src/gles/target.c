@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/target.h"
+#include <stdlib.h>
 
 static void set_texture_parameters(struct gl *gl, GLenum kind)
 {
@@ -71,8 +72,99 @@ bool target_init_layers(struct target *target, struct gl *gl, enum storage_owner
 	return check_target(target, gl, layers, error);
 }
 
+struct shared_target {
+	struct target target;
+	enum storage_owner owner;
+	GLenum internal_format;
+	size_t users;
+	struct shared_target *next;
+};
+
+static struct shared_target *find_shared(
+	struct gl *gl, enum storage_owner owner, GLsizei size, GLenum internal_format)
+{
+	struct shared_target *shared = gl->shared_targets;
+	while (shared != NULL && (shared->owner != owner || shared->target.size != size ||
+					 shared->internal_format != internal_format))
+		shared = shared->next;
+	return shared;
+}
+
+static void destroy_shared(struct shared_target *shared, struct gl *gl)
+{
+	shared->target.shared = NULL;
+	target_finish(&shared->target, gl);
+	free(shared);
+}
+
+static struct shared_target *add_shared(struct gl *gl, enum storage_owner owner, GLsizei size,
+	GLenum internal_format, GLenum attachment, struct sm_error *error)
+{
+	struct shared_target *shared = calloc(1, sizeof(*shared));
+	if (shared == NULL) {
+		error_no_memory(error);
+		return NULL;
+	}
+	uint32_t light = gl->light;
+	gl->light = SM_NONE;
+	bool made =
+		target_init(&shared->target, gl, owner, size, internal_format, attachment, error);
+	gl->light = light;
+	if (!made) {
+		destroy_shared(shared, gl);
+		return NULL;
+	}
+	shared->owner = owner;
+	shared->internal_format = internal_format;
+	shared->target.shared = shared;
+	shared->next = gl->shared_targets;
+	gl->shared_targets = shared;
+	return shared;
+}
+
+bool target_init_shared(struct target *target, struct gl *gl, enum storage_owner owner,
+	GLsizei size, GLenum internal_format, GLenum attachment, struct sm_error *error)
+{
+	struct shared_target *shared = find_shared(gl, owner, size, internal_format);
+	if (shared == NULL)
+		shared = add_shared(gl, owner, size, internal_format, attachment, error);
+	if (shared == NULL)
+		return false;
+	shared->users++;
+	*target = shared->target;
+	gl->ActiveTexture(GL_TEXTURE0);
+	gl->BindTexture(GL_TEXTURE_2D, target->texture);
+	gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+	return true;
+}
+
+size_t targets_shared_bytes(const struct gl *gl)
+{
+	size_t bytes = 0;
+	for (const struct shared_target *shared = gl->shared_targets; shared != NULL;
+		shared = shared->next)
+		bytes += sizeof(*shared);
+	return bytes;
+}
+
+static void leave_shared(struct shared_target *shared, struct gl *gl)
+{
+	if (--shared->users > 0)
+		return;
+	struct shared_target **link = &gl->shared_targets;
+	while (*link != shared)
+		link = &(*link)->next;
+	*link = shared->next;
+	destroy_shared(shared, gl);
+}
+
 void target_finish(struct target *target, struct gl *gl)
 {
+	if (target->shared != NULL) {
+		leave_shared(target->shared, gl);
+		*target = (struct target){0};
+		return;
+	}
 	gl_delete_framebuffer(gl, &target->framebuffer);
 	gl_delete_texture(gl, &target->texture);
 	target->whole = false;

@@ -8,8 +8,9 @@
 struct target {
 	GLenum attachment;
 	GLuint texture, framebuffer;
-	GLsizei size; /* texels a side */
-	bool whole;   /* and not half-made */
+	GLsizei size;                 /* texels a side */
+	bool whole;                   /* and not half-made */
+	struct shared_target *shared; /* NULL: it is its own */
 };
 
 /** Nearest filtering, clamped to the edge. attachment:
@@ -17,10 +18,17 @@ struct target {
  * texture at unit 0. On failure (MACHINE) finish() is still to be called. */
 bool target_init(struct target *target, struct gl *gl, enum storage_owner owner, GLsizei size,
 	GLenum internal_format, GLenum attachment, struct sm_error *error);
-/** The same with an array of layers; the first of them is bound. */
+/** The same, as the one that others have made for this owner, of this size and format: for what is
+ *  drawn and read before anyone else draws. It serves no light alone, and goes with the last of
+ *  those who have it. On failure it is as before. */
+bool target_init_shared(struct target *target, struct gl *gl, enum storage_owner owner,
+	GLsizei size, GLenum internal_format, GLenum attachment, struct sm_error *error);
+/** The same as init() with an array of layers; the first of them is bound. */
 bool target_init_layers(struct target *target, struct gl *gl, enum storage_owner owner,
 	GLsizei size, GLsizei layers, GLenum internal_format, GLenum attachment,
 	struct sm_error *error);
+/** Of the processor's memory, what sharing takes. */
+size_t targets_shared_bytes(const struct gl *gl);
 /** Fine on a half-made or zeroed target. */
 void target_finish(struct target *target, struct gl *gl);
 

@@ -46,6 +46,15 @@ bool depth_ways_choose(struct depth_ways *ways, struct gpu *gpu, struct sm_error
 	return true;
 }
 
+static bool init_target(struct target *target, const struct depth_map *map, struct gpu *gpu,
+	enum storage_owner owner, GLsizei size, GLenum format, GLenum attachment,
+	struct sm_error *error)
+{
+	return map->shared ? target_init_shared(target, &gpu->gl, STORAGE_RECEIVER_MAPS, size,
+				     format, attachment, error)
+			   : target_init(target, &gpu->gl, owner, size, format, attachment, error);
+}
+
 /* A colour for each depth, unless the depth texture will do. */
 static bool init_plain(struct depth_map *map, struct gpu *gpu, struct sm_error *error)
 {
@@ -56,7 +65,7 @@ static bool init_plain(struct depth_map *map, struct gpu *gpu, struct sm_error *
 	map->write = ways.write;
 	if (ways.format == 0)
 		return true;
-	if (!target_init(&map->plain, gl, STORAGE_PLAIN_DEPTHS, map->target.size, ways.format,
+	if (!init_target(&map->plain, map, gpu, STORAGE_PLAIN_DEPTHS, map->target.size, ways.format,
 		    GL_COLOR_ATTACHMENT0, error))
 		return false;
 	gl->FramebufferTexture2D(
@@ -68,7 +77,7 @@ bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
 	enum depth_map_filter filter, bool plain, struct sm_error *error)
 {
 	map->filter = filter;
-	if (!target_init(&map->target, &gpu->gl, STORAGE_SHADOW_MAPS, (GLsizei)size,
+	if (!init_target(&map->target, map, gpu, STORAGE_SHADOW_MAPS, (GLsizei)size,
 		    GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
 		return false;
 	map->compare = depth_map_create_sampler(gpu, filter);
@@ -88,8 +97,10 @@ static void bind_target(const struct depth_map *map, struct gl *gl)
 bool depth_map_init_once(
 	struct depth_map *map, struct gpu *gpu, GLsizei size, struct sm_error *error)
 {
-	if (map->target.texture != 0 ||
-		depth_map_init(map, gpu, (uint32_t)size, DEPTH_MAP_NEAREST, true, error))
+	if (map->target.texture != 0)
+		return true;
+	map->shared = true;
+	if (depth_map_init(map, gpu, (uint32_t)size, DEPTH_MAP_NEAREST, true, error))
 		return true;
 	depth_map_finish(map, gpu);
 	return false;

@@ -29,6 +29,7 @@ struct depth_map {
 	GLuint compare; /* sampler: LEQUAL */
 	enum depth_map_filter filter;
 	uint64_t write; /* flags of PROGRAM_DEPTH_MAP */
+	bool shared;    /* with the other lights: of receivers */
 };
 
 /** plain: whether it is read without comparing as well. */
@@ -54,7 +55,8 @@ bool depth_map_misses(struct gpu *gpu, const struct sm_scene *scene, const struc
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error);
 
-/** Initialises a zeroed map, of receivers, the first time that it is needed. */
+/** Initialises a zeroed map, of receivers, the first time that it is needed. All lights share one:
+ *  what is drawn is there until another one is. */
 bool depth_map_init_once(
 	struct depth_map *map, struct gpu *gpu, GLsizei size, struct sm_error *error);
 

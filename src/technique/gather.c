@@ -72,8 +72,8 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 	gather->map_size = options->map_size;
 	gather->sampling = options->sampling;
 	GLsizei size = (GLsizei)gather_layer_size(options->map_size);
-	if (!target_init(&gather->depth, gl, STORAGE_LAYER_DEPTHS, size, GL_DEPTH_COMPONENT24,
-		    GL_DEPTH_ATTACHMENT, error))
+	if (!target_init_shared(&gather->depth, gl, STORAGE_LAYER_DEPTHS, size,
+		    GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
 		return false;
 	upload_masks(gather, gl);
 	gather->tiles = create_table(gl, STORAGE_EDGE_LISTS);

@@ -32,7 +32,7 @@ static bool two_sided_init(void *state, struct gpu *gpu, const struct sm_shadow_
 	fin_stream_init(&two_sided->fins, gpu);
 	if (!depth_map_init(
 		    &two_sided->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
-		!target_init(&two_sided->nearness, gl, STORAGE_SMOOTHIE_DEPTHS, size,
+		!target_init_shared(&two_sided->nearness, gl, STORAGE_SMOOTHIE_DEPTHS, size,
 			GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error) ||
 		!target_init(&two_sided->buffer, gl, STORAGE_SMOOTHIES, size, GL_RGBA32UI,
 			GL_COLOR_ATTACHMENT0, error))

@@ -35,7 +35,7 @@ static bool vsm_init(void *state, struct gpu *gpu, const struct sm_shadow_option
 	vsm->blur_flags = split ? FLAG_SPLIT : 0;
 	vsm->surface_flags = FLAG_VSM | vsm->blur_flags | (filtered ? 0 : FLAG_FOUR_FETCHES);
 	if (!depth_map_init(&vsm->map, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
-		!target_init(
+		!target_init_shared(
 			&vsm->rows, gl, STORAGE_BLUR, size, format, GL_COLOR_ATTACHMENT0, error) ||
 		!target_init(&vsm->moments, gl, STORAGE_MOMENTS, size, format, GL_COLOR_ATTACHMENT0,
 			error))

@@ -341,11 +341,125 @@ static void what_moves_is_listed(void **state)
 	tear_down(&world);
 }
 
+static void add_own(void *data, const struct sm_memory_part *part)
+{
+	uint64_t *bytes = data;
+	/* Which grow with what was drawn, and serve all. */
+	if (part->kind == SM_MEMORY_GL && strcmp(part->owner, "indices of quads") != 0)
+		*bytes += part->bytes;
+}
+
+/* Of GL's, with one frame of "hard"; before it is drawn there is no target but the accumulator. */
+static uint64_t draw_hard(struct world *world)
+{
+	const struct sm_shadow_options hard = {.technique = "hard", .map_size = MAP};
+	uint64_t bytes = 0;
+	struct sm_memory memory;
+	rig_set_shadows(world->rig, &hard);
+	sm_renderer_get_memory(world->rig->renderer, world->rig->scene, &memory);
+	assert_true(memory.targets == 0 || memory.targets == SIZE * SIZE * 8);
+	draw(world, SM_NONE, 0);
+	sm_renderer_list_memory(world->rig->renderer, world->rig->scene, add_own, &bytes);
+	return bytes;
+}
+
+static void what_is_switched_off_is_given_back(void **state)
+{
+	struct world world;
+	set_up(&world, *state, 2);
+	for (size_t i = 0; i < CASES; i++) {
+		use_renderer(&world, cases[i].path);
+		uint64_t hard = draw_hard(&world);
+		use_case(&world, &cases[i]);
+		draw(&world, SM_NONE, 0);
+		uint64_t after = draw_hard(&world);
+		if (after != hard)
+			fail_msg("case %zu: %d bytes are left", i, (int)(after - hard));
+	}
+	tear_down(&world);
+}
+
+struct light_sums {
+	uint64_t of[8], shared, others;
+};
+
+/* Of what shadows take of GL. */
+static void add_light(void *data, const struct sm_memory_part *part)
+{
+	struct light_sums *sums = data;
+	if (part->kind != SM_MEMORY_GL)
+		return;
+	if (part->light != SM_NONE)
+		sums->of[part->light] += part->bytes;
+	else if (strcmp(part->owner, "receiver maps") == 0 || strstr(part->owner, "depths of ") ||
+		 strcmp(part->owner, "half-blurred moments") == 0)
+		sums->shared += part->bytes;
+	else
+		sums->others += part->bytes;
+}
+
+static struct light_sums weigh_lights(struct world *world, const char *technique, uint32_t map)
+{
+	struct light_sums sums = {0};
+	const struct sm_shadow_options options = {
+		.technique = technique, .map_size = map, .sampling = SM_SAMPLING_DEFAULT};
+	use_renderer(world, NULL);
+	rig_set_shadows(world->rig, &options);
+	draw(world, SM_NONE, 0);
+	sm_renderer_list_memory(world->rig->renderer, world->rig->scene, add_light, &sums);
+	return sums;
+}
+
+static void a_smoothie_light_costs_ten_bytes_a_texel(void **state)
+{
+	struct world world;
+	const uint64_t most = UINT64_C(10) * 1024 * 1024;
+	set_up(&world, *state, 8);
+	struct light_sums sums = weigh_lights(&world, "smoothie", 1024);
+	uint64_t all = sums.shared;
+	for (int i = 0; i < 8; i++) {
+		assert_in_range(sums.of[i], most / 2, most);
+		all += sums.of[i];
+	}
+	print_message("a light: %.3f bytes a texel, of eight each: %.3f\n",
+		(double)sums.of[0] / (1024 * 1024), (double)all / (8 * 1024 * 1024));
+	assert_true(all / 8 <= most);
+	tear_down(&world);
+}
+
+static void lights_share_what_is_soon_read(void **state)
+{
+	/* Bytes a texel of what is shared. */
+	static const struct {
+		const char *technique;
+		uint64_t shared;
+	} shares[] = {
+		{"hard", 0},
+		{"smoothie", 4},
+		{"penumbra-map", 4},
+		{"smoothie-two-sided", 8},
+		{"vsm", 12},
+	};
+	for (int lights = 1; lights <= 8; lights += 7) {
+		struct world world;
+		set_up(&world, *state, lights);
+		for (size_t i = 0; i < sizeof(shares) / sizeof(shares[0]); i++) {
+			struct light_sums sums = weigh_lights(&world, shares[i].technique, MAP);
+			assert_int_equal(sums.shared, shares[i].shared * MAP * MAP);
+		}
+		assert_true(weigh_lights(&world, "gather", MAP).shared >= 4 * MAP * MAP);
+		tear_down(&world);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(all_is_listed),
 		rig_test(what_moves_is_listed),
+		rig_test(what_is_switched_off_is_given_back),
+		rig_test(a_smoothie_light_costs_ten_bytes_a_texel),
+		rig_test(lights_share_what_is_soon_read),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
