@@ -1,17 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/driver_options.h"
 #include "app/facts.h"
+#include "app/info_memory.h"
 #include "app/report.h"
 #include "load/stage.h"
 #include "platform.h"
 #include <getopt.h>
 
 enum {
-	FLAG_JSON = FLAG_OWN,
+	FLAG_JSON = FLAG_OWN_OF_SCENES,
+	FLAG_MEMORY,
 };
 
 static const struct flag flags[] = {
 	{FLAG_JSON, "json", NULL, "print one JSON object"},
+	{FLAG_MEMORY, "memory", NULL, "draw SCENE once and tell whose its memory is"},
+	SCENE_FLAGS,
 	DRIVER_FLAGS,
 	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
@@ -20,29 +24,58 @@ static const struct flag flags[] = {
 struct info_options {
 	struct common_options common;
 	struct driver_options driver;
-	const char *scene; /* NULL: about the driver */
-	bool json;
+	struct scene_options scene; /* scene.scene NULL: about the driver */
+	bool json, memory;
+	bool drawn; /* flags are given of how the scene is drawn */
 };
+
+static bool take_flag(struct info_options *options, int id, struct sm_error *error)
+{
+	switch (id) {
+	case FLAG_JSON:
+		options->json = true;
+		return true;
+	case FLAG_MEMORY:
+		options->memory = true;
+		return true;
+	case FLAG_CAPS:
+	case FLAG_PATH:
+		return driver_options_flag(&options->driver, id, optarg, error);
+	case FLAG_SAMPLES:
+	case FLAG_TECHNIQUE:
+	case FLAG_PRECISION:
+	case FLAG_SAMPLING:
+	case FLAG_MAP:
+	case FLAG_SET:
+		options->drawn = true;
+		return scene_options_flag(&options->scene, &info_command, id, optarg, error);
+	default:
+		options_common(&options->common, id, optarg);
+		return true;
+	}
+}
 
 static bool read_options(
 	struct info_options *options, int argc, char **argv, struct sm_error *error)
 {
 	*options = (struct info_options){.common = options_defaults()};
+	if (!scene_options_init(&options->scene, argc, error))
+		return false;
 	int id;
-	while ((id = options_next(&info_command, argc, argv, error)) >= 0) {
-		if (id == FLAG_JSON)
-			options->json = true;
-		else if (id != FLAG_CAPS && id != FLAG_PATH)
-			options_common(&options->common, id, optarg);
-		else if (!driver_options_flag(&options->driver, id, optarg, error))
+	while ((id = options_next(&info_command, argc, argv, error)) >= 0)
+		if (!take_flag(options, id, error))
 			return false;
-	}
 	if (id == FLAG_FAILED)
 		return false;
 	if (optind + 1 < argc)
 		return options_error(error, &info_command, "one SCENE is wanted, not also %.200s",
 			argv[optind + 1]);
-	options->scene = argv[optind]; /* argv ends with NULL */
+	options->scene.scene = argv[optind]; /* argv ends with NULL */
+	if (options->memory && options->scene.scene == NULL && !options->common.help)
+		return options_error(error, &info_command, "--memory: SCENE is missing");
+	if (options->drawn && !options->memory)
+		return options_error(
+			error, &info_command, "flags of how SCENE is drawn are for --memory alone");
 	return true;
 }
 
@@ -105,7 +138,7 @@ static bool describe_scene(const struct info_options *options, struct sm_error *
 	static const char *const settings[] = {"ground.show=no"};
 	struct stage stage = {0};
 	struct facts facts;
-	if (!stage_load(&stage, options->scene, settings, 1, error))
+	if (!stage_load(&stage, options->scene.scene, settings, 1, error))
 		return false;
 	facts_begin(&facts, stdout, options->json);
 	add_scene(&facts, stage.scene);
@@ -134,6 +167,15 @@ static bool describe_driver(const struct info_options *options, struct sm_error 
 	return described;
 }
 
+static bool describe(const struct info_options *options, struct sm_error *error)
+{
+	if (options->memory)
+		return info_memory(
+			&options->common, &options->driver, &options->scene, options->json, error);
+	return options->scene.scene != NULL ? describe_scene(options, error)
+					    : describe_driver(options, error);
+}
+
 static bool run(int argc, char **argv, struct sm_error *error)
 {
 	struct info_options options;
@@ -142,9 +184,9 @@ static bool run(int argc, char **argv, struct sm_error *error)
 		options_help(&info_command);
 	} else if (done) {
 		report_set_verbosity(options.common.debug ? 2 : options.common.verbosity);
-		done = options.scene != NULL ? describe_scene(&options, error)
-					     : describe_driver(&options, error);
+		done = describe(&options, error);
 	}
+	scene_options_finish(&options.scene);
 	driver_options_finish(&options.driver);
 	return done;
 }
@@ -152,7 +194,7 @@ static bool run(int argc, char **argv, struct sm_error *error)
 const struct command info_command = {
 	.name = "info",
 	.arguments = "[SCENE] [flags]",
-	.summary = "Tell what the driver can do, or how a scene's meshes are built.",
+	.summary = "Tell what the driver can do, how a scene's meshes are built, or what it takes.",
 	.flags = flags,
 	.flag_count = sizeof(flags) / sizeof(flags[0]),
 	.run = run,

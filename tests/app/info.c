@@ -85,6 +85,25 @@ static void test_json_has_numbers_for_numbers(void **state)
 	outcome_finish(&outcome);
 }
 
+static void test_memory(void **state)
+{
+	(void)state;
+	/* 256 x 256 texels of 4 bytes. */
+	static const char *const lines[] = {
+		"\nGL: meshes as drawn: ", "\nGL: shadow maps: light 0: 262144\n",
+		"\nprocessor: casters: edges: ", "\nGL, all: ", "\nprocessor, all: "};
+	struct outcome outcome = RUN("info", "builtin:boxes", "--memory", "--device", "surfaceless",
+		"--technique", "smoothie", "--map", "256");
+	ASSERT_LINES(&outcome, lines);
+	outcome_finish(&outcome);
+	outcome = RUN("info", "--memory");
+	assert_failure(&outcome, 2, "--memory: SCENE is missing");
+	outcome_finish(&outcome);
+	outcome = RUN("info", "builtin:boxes", "--map", "256");
+	assert_failure(&outcome, 2, "are for --memory alone");
+	outcome_finish(&outcome);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -92,6 +111,7 @@ int main(void)
 		cmocka_unit_test(test_caps_taken_away_and_given_back),
 		cmocka_unit_test(test_context_that_cannot_be_had),
 		cmocka_unit_test(test_scene),
+		cmocka_unit_test(test_memory),
 		cmocka_unit_test(test_json_has_numbers_for_numbers),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
