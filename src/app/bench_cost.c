@@ -140,6 +140,7 @@ static bool weigh(const struct bench_cell *cell, size_t technique, const struct 
 		return false;
 	cell->results[technique].geometry_bytes = timing.memory.geometry;
 	cell->results[technique].target_bytes = timing.memory.targets;
+	memcpy(cell->results[technique].memory, timing.owners, sizeof(timing.owners));
 	cell->results[technique].peak_bytes = peak_bytes();
 	return true;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/bench_timing.h"
+#include "app/memory_parts.h"
 #include "app/stopwatch.h"
 #include "app/target.h"
 #include "base/array.h"
@@ -197,7 +198,18 @@ static void sum_up_passes(struct pass_clock *clock, struct pass_time passes[PASS
 	}
 }
 
-static void sum_up_all(const struct bench *bench, struct timing *timings)
+static bool weigh(const struct sm_renderer *renderer, const struct sm_scene *scene,
+	struct timing *timing, struct sm_error *error)
+{
+	struct memory_parts parts;
+	sm_renderer_get_memory(renderer, scene, &timing->memory);
+	bool listed = memory_parts_find(&parts, renderer, scene, error) &&
+		      memory_parts_format(&parts, timing->owners, sizeof(timing->owners), error);
+	memory_parts_finish(&parts);
+	return listed;
+}
+
+static bool sum_up_all(const struct bench *bench, struct timing *timings, struct sm_error *error)
 {
 	const struct timing_request *request = bench->request;
 	for (size_t i = 0; i < request->count; i++) {
@@ -205,13 +217,14 @@ static void sum_up_all(const struct bench *bench, struct timing *timings)
 			(struct timing){.time = sum_up(&bench->contenders[i], request->rounds)};
 		sum_up_passes(&bench->contenders[i].passes, timings[i].passes);
 		sm_renderer_get_stats(bench->contenders[i].renderer, &timings[i].stats);
-		sm_renderer_get_memory(
-			bench->contenders[i].renderer, request->scene, &timings[i].memory);
+		if (!weigh(bench->contenders[i].renderer, request->scene, &timings[i], error))
+			return false;
 	}
 	double base = timings[request->base].time.median;
 	for (size_t i = 0; i < request->count; i++)
 		/* A clock that is too coarse for the base leaves no ratio. */
 		timings[i].time.ratio = base > 0 ? timings[i].time.median / base : 0;
+	return true;
 }
 
 bool timing_measure(
@@ -222,9 +235,8 @@ bool timing_measure(
 	bool measured = init(&bench, error) &&
 			take_turns(&bench, TIMING_WARM_FRAMES, warm, error) &&
 			take_turns(&bench, request->rounds, time_frame, error) &&
-			take_turns(&bench, request->pass_rounds, time_passes, error);
-	if (measured)
-		sum_up_all(&bench, timings);
+			take_turns(&bench, request->pass_rounds, time_passes, error) &&
+			sum_up_all(&bench, timings, error);
 	finish(&bench);
 	return measured;
 }

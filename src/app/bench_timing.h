@@ -23,8 +23,9 @@ struct timing_request {
 struct timing {
 	struct time_summary time;
 	struct pass_time passes[PASSES_MAX];
-	struct sm_frame_stats stats; /* of the last frame */
-	struct sm_memory memory;     /* after it */
+	struct sm_frame_stats stats;    /* of the last frame */
+	struct sm_memory memory;        /* after it */
+	char owners[RESULT_MEMORY_MAX]; /* whose it is, as of a result */
 };
 
 /** Draws of each before anything is timed, so that no frame compiles. */

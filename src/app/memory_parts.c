@@ -5,15 +5,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+static bool is_same_owner(const struct sm_memory_part *a, const struct sm_memory_part *b)
+{
+	return a->kind == b->kind && strcmp(a->owner, b->owner) == 0;
+}
+
 static struct sm_memory_part *find(
 	const struct memory_parts *parts, const struct sm_memory_part *part)
 {
-	for (size_t i = 0; i < parts->count; i++) {
-		struct sm_memory_part *item = &parts->items[i];
-		if (item->kind == part->kind && item->light == part->light &&
-			strcmp(item->owner, part->owner) == 0)
-			return item;
-	}
+	for (size_t i = 0; i < parts->count; i++)
+		if (parts->items[i].light == part->light && is_same_owner(&parts->items[i], part))
+			return &parts->items[i];
 	return NULL;
 }
 
@@ -48,6 +50,36 @@ void memory_parts_finish(struct memory_parts *parts)
 static const char *kind_name(enum sm_memory_kind kind)
 {
 	return kind == SM_MEMORY_GL ? "GL" : "processor";
+}
+
+/* Of an owner with all lights, by its first part; 0 for the others. */
+static uint64_t bytes_of_owner(const struct memory_parts *parts, size_t first)
+{
+	uint64_t bytes = 0;
+	for (size_t i = 0; i < parts->count; i++) {
+		if (!is_same_owner(&parts->items[i], &parts->items[first]))
+			continue;
+		if (i < first)
+			return 0;
+		bytes += parts->items[i].bytes;
+	}
+	return bytes;
+}
+
+bool memory_parts_format(
+	const struct memory_parts *parts, char *text, size_t size, struct sm_error *error)
+{
+	size_t used = 0;
+	text[0] = '\0';
+	for (size_t i = 0; i < parts->count && used < size; i++) {
+		uint64_t bytes = bytes_of_owner(parts, i);
+		if (bytes > 0)
+			used += (size_t)snprintf(text + used, size - used, "%s%s: %s=%" PRIu64,
+				used > 0 ? ";" : "", kind_name(parts->items[i].kind),
+				parts->items[i].owner, bytes);
+	}
+	return used < size ||
+	       error_set(error, SM_ERROR_MACHINE, "memory has too many owners to list");
 }
 
 void memory_parts_describe(const struct memory_parts *parts, struct facts *facts)

@@ -18,6 +18,11 @@ bool memory_parts_find(struct memory_parts *parts, const struct sm_renderer *ren
 	const struct sm_scene *scene, struct sm_error *error);
 void memory_parts_finish(struct memory_parts *parts);
 
+/** Writes "GL: shadow maps=BYTES;..." with all lights together. Fails (MACHINE) where it does not
+ * fit into size bytes. */
+bool memory_parts_format(
+	const struct memory_parts *parts, char *text, size_t size, struct sm_error *error);
+
 /** Adds "GL: shadow maps: light 0" and the like, with bytes, and sums. */
 void memory_parts_describe(const struct memory_parts *parts, struct facts *facts);
 

@@ -73,6 +73,7 @@ static const struct column columns[] = {
 	FIELD(COLUMN_COUNT64, target_bytes, "bytes of the textures that passes draw into"),
 	FIELD(COLUMN_COUNT64, peak_bytes,
 		"bytes of a process that draws this alone, at its largest"),
+	FIELD(COLUMN_TEXT, memory, "bytes by owner, of all lights together: KIND: OWNER=BYTES;..."),
 };
 
 const struct column *column_at(size_t i)

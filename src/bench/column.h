@@ -27,7 +27,7 @@ const struct column *column_at(size_t i);
 size_t column_find(const char *name);
 
 /** The longest text of a column, with its end. */
-#define COLUMN_TEXT_MAX 512
+#define COLUMN_TEXT_MAX 2048
 
 /** Writes a result's value as text that column_parse() makes the same value of. NAN is empty. */
 void column_format(

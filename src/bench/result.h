@@ -38,6 +38,9 @@ struct time_summary {
 
 #define PASSES_MAX 8
 
+/** Of all owners that there are, with room. */
+#define RESULT_MEMORY_MAX 2000
+
 /** A pass, by the name that sm_pass_observer is told; median ms of frames that wait for GL after
  *  each. */
 struct pass_time {
@@ -65,6 +68,7 @@ struct result {
 	struct pass_time passes[PASSES_MAX];   /* ends with an empty name */
 	uint64_t geometry_bytes, target_bytes; /* as sm_memory */
 	uint64_t peak_bytes;                   /* resident, of a process that draws this alone */
+	char memory[RESULT_MEMORY_MAX]; /* "KIND: OWNER=BYTES;...", as sm_renderer_list_memory() */
 };
 
 /** Results in the order they were made. Zero is empty. */

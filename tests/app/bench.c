@@ -123,6 +123,8 @@ static void check_result(const struct result *result, const char *technique)
 	check_time(&result->time[THREADS_NONE]);
 	assert_true(has_pass(result, "shadow map") && has_pass(result, "surfaces"));
 	assert_true(result->geometry_bytes > 0);
+	assert_non_null(strstr(result->memory, "GL: shadow maps="));
+	assert_non_null(strstr(result->memory, ";processor: casters: edges="));
 	assert_true(result->target_bytes >= 64 * 64 * 2);
 	assert_true(result->peak_bytes > result->target_bytes);
 	assert_true(result->machine[0] != '\0');
