@@ -5,6 +5,7 @@
 #include "fixed/passes.h"
 #include "gles/picture.h"
 #include "gles/primitives.h"
+#include "gles/target.h"
 
 struct exact {
 	struct exact_scene scene;
@@ -14,10 +15,12 @@ struct exact {
 	float width;
 	bool sinusoid;
 	struct primitives blockers, fins, surfaces;
-	struct picture casters;   /* its depth buffer serves the next two as well */
-	struct picture receivers; /* of objects that only receive: made when there are any */
-	struct picture nearest;   /* smoothies: depth, and alpha' */
-	struct picture least;
+	struct target casters;
+	struct target receivers; /* of objects that only receive: made when there are any */
+	struct target nearest;   /* smoothies: depth, and alpha' */
+	struct target least;
+	struct target nearest_depth; /* what all but the last are drawn with */
+	struct target least_depth;
 	struct picture seen; /* of the picture: what of the light does not reach it */
 	GLuint falloff;      /* table of the sinusoid */
 };
@@ -34,11 +37,25 @@ static void make_falloff(struct exact *exact, struct gl *gl)
 	gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-static bool map_init(struct picture *map, const struct exact *exact, struct gpu *gpu,
-	GLenum color_format, GLuint depth, struct sm_error *error)
+static bool depth_init(struct target *depth, const struct exact *exact, struct gpu *gpu,
+	enum storage_owner owner, struct sm_error *error)
 {
-	return picture_init(map, &gpu->gl, STORAGE_EXACT_MAPS, exact->map_size, exact->map_size,
-		color_format, depth, error);
+	return target_init_shared(depth, &gpu->gl, owner, (GLsizei)exact->map_size,
+		GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error);
+}
+
+/* No map is read once its light's visibility is found. */
+static bool map_init(struct target *map, const struct exact *exact, struct gpu *gpu,
+	enum storage_owner owner, const struct target *depth, struct sm_error *error)
+{
+	struct gl *gl = &gpu->gl;
+	GLenum format = owner == STORAGE_EXACT_LEAST ? GL_R16UI : GL_R32UI;
+	if (!target_init_shared(
+		    map, gl, owner, (GLsizei)exact->map_size, format, GL_COLOR_ATTACHMENT0, error))
+		return false;
+	gl->FramebufferTexture2D(
+		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->texture, 0);
+	return true;
 }
 
 static bool init(void *state, struct gpu *gpu, const struct sm_shadow_options *options,
@@ -53,9 +70,12 @@ static bool init(void *state, struct gpu *gpu, const struct sm_shadow_options *o
 	exact->sinusoid = options->falloff == SM_FALLOFF_SINUSOID;
 	if (exact->sinusoid)
 		make_falloff(exact, &gpu->gl);
-	return map_init(&exact->casters, exact, gpu, GL_R32UI, 0, error) &&
-	       map_init(&exact->nearest, exact, gpu, GL_R32UI, exact->casters.depth, error) &&
-	       map_init(&exact->least, exact, gpu, GL_R16UI, 0, error);
+	const struct target *depth = &exact->nearest_depth;
+	return depth_init(&exact->nearest_depth, exact, gpu, STORAGE_EXACT_NEAREST, error) &&
+	       depth_init(&exact->least_depth, exact, gpu, STORAGE_EXACT_LEAST, error) &&
+	       map_init(&exact->casters, exact, gpu, STORAGE_EXACT_CASTERS, depth, error) &&
+	       map_init(&exact->nearest, exact, gpu, STORAGE_EXACT_NEAREST, depth, error) &&
+	       map_init(&exact->least, exact, gpu, STORAGE_EXACT_LEAST, &exact->least_depth, error);
 }
 
 static void finish(void *state, struct gpu *gpu)
@@ -67,10 +87,12 @@ static void finish(void *state, struct gpu *gpu)
 	primitives_finish(&exact->fins, gl);
 	primitives_finish(&exact->surfaces, gl);
 	picture_finish(&exact->seen, gl);
-	picture_finish(&exact->least, gl);
-	picture_finish(&exact->nearest, gl);
-	picture_finish(&exact->receivers, gl);
-	picture_finish(&exact->casters, gl);
+	target_finish(&exact->least, gl);
+	target_finish(&exact->nearest, gl);
+	target_finish(&exact->receivers, gl);
+	target_finish(&exact->casters, gl);
+	target_finish(&exact->least_depth, gl);
+	target_finish(&exact->nearest_depth, gl);
 	gl_delete_texture(gl, &exact->falloff);
 }
 
@@ -78,10 +100,10 @@ static void finish(void *state, struct gpu *gpu)
  * does not clear with 0 instead: as bits of a float it is not too small to be normal. */
 #define CLEAR_DEPTH UINT32_MAX
 
-static void clear(const struct picture *picture, struct gl *gl, GLuint value)
+/* The framebuffer that is bound. */
+static void clear(struct gl *gl, GLuint value)
 {
 	const GLuint values[4] = {value, value, value, value};
-	picture_bind(picture, gl);
 	gl->DepthMask(GL_TRUE);
 	gl->ClearBufferuiv(GL_COLOR, 0, values);
 	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
@@ -89,20 +111,25 @@ static void clear(const struct picture *picture, struct gl *gl, GLuint value)
 	gl->DepthFunc(GL_LESS);
 }
 
-/* Draws what was uploaded into the picture, which holds what was drawn before. */
-static bool draw(const struct picture *picture, const struct primitives *primitives,
-	struct gpu *gpu, const struct program *program, struct sm_error *error)
+static void clear_map(const struct target *map, struct gl *gl, GLuint value)
 {
-	picture_bind(picture, &gpu->gl);
-	return primitives_draw(
-		primitives, gpu, program, (GLsizei)picture->width, (GLsizei)picture->height, error);
+	target_bind(map, gl);
+	clear(gl, value);
 }
 
-static bool draw_depth(struct exact *exact, struct gpu *gpu, const struct picture *map,
+/* Draws what was uploaded into the map, which holds what was drawn before. */
+static bool draw(const struct target *map, const struct primitives *primitives, struct gpu *gpu,
+	const struct program *program, struct sm_error *error)
+{
+	target_bind(map, &gpu->gl);
+	return primitives_draw(primitives, gpu, program, map->size, map->size, error);
+}
+
+static bool draw_depth(struct exact *exact, struct gpu *gpu, const struct target *map,
 	const struct fixed_blockers *blockers, struct sm_error *error)
 {
 	struct program_key key = {.kind = PROGRAM_EXACT_DEPTH};
-	clear(map, &gpu->gl, CLEAR_DEPTH);
+	clear_map(map, &gpu->gl, CLEAR_DEPTH);
 	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
 	for (size_t first = 0; program != NULL && first < blockers->count;
 		first += PRIMITIVES_MAX) {
@@ -122,11 +149,10 @@ static bool draw_maps(struct exact *exact, struct gpu *gpu, struct sm_error *err
 	gl_pop_group(&gpu->gl);
 	if (!drawn || fixed->receivers_only.count == 0)
 		return drawn;
-	if (exact->receivers.width == 0 &&
-		!map_init(&exact->receivers, exact, gpu, GL_R32UI, exact->casters.depth, error)) {
-		picture_finish(&exact->receivers, &gpu->gl);
+	if (!exact->receivers.whole &&
+		!map_init(&exact->receivers, exact, gpu, STORAGE_EXACT_RECEIVERS,
+			&exact->nearest_depth, error))
 		return false;
-	}
 	gl_push_group(&gpu->gl, "receiver map");
 	drawn = draw_depth(exact, gpu, &exact->receivers, &fixed->receivers_only, error);
 	gl_pop_group(&gpu->gl);
@@ -134,7 +160,7 @@ static bool draw_maps(struct exact *exact, struct gpu *gpu, struct sm_error *err
 }
 
 /* What was uploaded, in one of the two passes. */
-static bool draw_fins(struct exact *exact, struct gpu *gpu, const struct picture *picture,
+static bool draw_fins(struct exact *exact, struct gpu *gpu, const struct target *map,
 	uint64_t flags, struct sm_error *error)
 {
 	struct program_key key = {.kind = PROGRAM_EXACT_FIN, .flags = exact->number_flag | flags};
@@ -142,7 +168,7 @@ static bool draw_fins(struct exact *exact, struct gpu *gpu, const struct picture
 	if (program == NULL)
 		return false;
 	gpu->gl.Uniform1ui(program->uniform.pole_depth, exact->scene.fixed.pole);
-	return draw(picture, &exact->fins, gpu, program, error);
+	return draw(map, &exact->fins, gpu, program, error);
 }
 
 /* Both passes of the paper, in turn for each part of the fins that is drawn at once: they have
@@ -152,10 +178,10 @@ static bool draw_smoothies(struct exact *exact, struct gpu *gpu, struct sm_error
 	const struct fixed_fins *fins = &exact->scene.fixed.fins;
 	uint64_t both = exact->scene.fixed.receivers_only.count > 0 ? FLAG_RECEIVER_MAP : 0;
 	uint64_t shape = exact->sinusoid ? FLAG_SINUSOID : 0;
-	clear(&exact->least, &gpu->gl, 0); /* not read where there is no depth */
-	clear(&exact->nearest, &gpu->gl, CLEAR_DEPTH);
-	gpu_bind_texture(gpu, UNIT_DEPTH, exact->casters.color);
-	gpu_bind_texture(gpu, UNIT_RECEIVER, exact->receivers.color);
+	clear_map(&exact->least, &gpu->gl, 0); /* not read where there is no depth */
+	clear_map(&exact->nearest, &gpu->gl, CLEAR_DEPTH);
+	gpu_bind_texture(gpu, UNIT_DEPTH, exact->casters.texture);
+	gpu_bind_texture(gpu, UNIT_RECEIVER, exact->receivers.texture);
 	gpu_bind_texture(gpu, UNIT_FALLOFF, exact->falloff);
 	for (size_t first = 0; first < fins->count; first += PRIMITIVES_MAX) {
 		primitives_upload(&exact->fins, gpu, &fins->items[first], fins->count - first,
@@ -173,10 +199,12 @@ static bool draw_surfaces(
 	const struct fixed_receivers *receivers = &exact->scene.fixed.receivers;
 	struct program_key key = {.kind = PROGRAM_EXACT_SURFACE,
 		.flags = exact->number_flag | (visibility ? FLAG_VISIBILITY : 0)};
-	clear(&exact->seen, &gpu->gl, 0);
-	gpu_bind_texture(gpu, UNIT_DEPTH, exact->casters.color);
-	gpu_bind_texture(gpu, UNIT_SMOOTHIE, exact->least.color);
-	gpu_bind_texture(gpu, UNIT_SMOOTHIE_DEPTH, exact->nearest.color);
+	const struct picture *seen = &exact->seen;
+	picture_bind(seen, &gpu->gl);
+	clear(&gpu->gl, 0);
+	gpu_bind_texture(gpu, UNIT_DEPTH, exact->casters.texture);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE, exact->least.texture);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE_DEPTH, exact->nearest.texture);
 	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
 	if (program == NULL)
 		return false;
@@ -184,7 +212,8 @@ static bool draw_surfaces(
 	for (size_t first = 0; first < receivers->count; first += PRIMITIVES_MAX) {
 		primitives_upload(&exact->surfaces, gpu, &receivers->items[first],
 			receivers->count - first, sizeof(*receivers->items));
-		if (!draw(&exact->seen, &exact->surfaces, gpu, program, error))
+		if (!primitives_draw(&exact->surfaces, gpu, program, (GLsizei)seen->width,
+			    (GLsizei)seen->height, error))
 			return false;
 	}
 	return true;
@@ -222,7 +251,7 @@ static bool prepare_view(void *state, struct gpu *gpu, const struct sm_scene *sc
 	gl_push_group(gl, "smoothies");
 	drawn = draw_smoothies(exact, gpu, error);
 	gl_pop_group(gl);
-	if (!drawn || !picture_resize(&exact->seen, gl, STORAGE_EXACT_MAPS, view->width,
+	if (!drawn || !picture_resize(&exact->seen, gl, STORAGE_EXACT_SEEN, view->width,
 			      view->height, GL_R16UI, error))
 		return false;
 	gl_push_group(gl, "visibility");
