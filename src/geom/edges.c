@@ -97,6 +97,8 @@ static void count_block(struct edge_table *table, uint32_t *neighbours, size_t b
 {
 	struct edge_block *block = &table->blocks[b];
 	struct link_list list = {.count = 0};
+	*block = (struct edge_block){
+		.near = table->near_count, .far = table->far_count, .link = table->link_count};
 	for (size_t c = 3 * b * EDGE_BLOCK; c < 3 * block_end(table, b); c++) {
 		if (neighbours[c] == NO_RECORD)
 			continue;
@@ -109,7 +111,7 @@ static void count_block(struct edge_table *table, uint32_t *neighbours, size_t b
 		*(near ? &block->near_count : &block->far_count) += 1;
 		if (!near && !open)
 			link_to(&list, neighbours[c] / EDGE_BLOCK);
-		block->open |= open;
+		table->open[b / EDGE_BLOCK_SET] |= (uint64_t)open << b % EDGE_BLOCK_SET;
 	}
 	block->link_count = (uint8_t)list.count;
 	table->near_count += block->near_count;
@@ -119,8 +121,9 @@ static void count_block(struct edge_table *table, uint32_t *neighbours, size_t b
 
 static bool reserve_records(struct edge_table *table, uint32_t *neighbours)
 {
-	table->blocks = array_zalloc(edge_table_blocks(table), sizeof(*table->blocks));
-	if (table->blocks == NULL)
+	table->blocks = array_alloc(edge_table_blocks(table), sizeof(*table->blocks));
+	table->open = array_zalloc(edge_table_sets(table), sizeof(*table->open));
+	if (table->blocks == NULL || table->open == NULL)
 		return false;
 	for (size_t b = 0; b < edge_table_blocks(table); b++)
 		count_block(table, neighbours, b);
@@ -130,17 +133,18 @@ static bool reserve_records(struct edge_table *table, uint32_t *neighbours)
 	table->far_places = array_alloc(table->far_count, sizeof(*table->far_places));
 	table->far_links = array_alloc(table->far_count, sizeof(*table->far_links));
 	table->links = array_alloc(table->link_count, sizeof(*table->links));
+	table->link_owners = array_alloc(table->link_count, sizeof(*table->link_owners));
 	return table->near_corners != NULL && table->near_places != NULL &&
 	       table->far_corners != NULL && table->far_places != NULL &&
-	       table->far_links != NULL && table->links != NULL;
+	       table->far_links != NULL && table->links != NULL && table->link_owners != NULL;
 }
 
-/* Fills what one block owns and moves the reader behind it. */
-static void fill_block(const struct edge_table *table, const uint32_t *neighbours, size_t b,
-	struct edge_reader *at)
+/* Fills what one block owns. */
+static void fill_block(const struct edge_table *table, const uint32_t *neighbours, size_t b)
 {
+	const struct edge_block *block = &table->blocks[b];
 	struct link_list list = {.count = 0};
-	uint8_t open = table->blocks[b].link_count;
+	size_t near = block->near, far = block->far;
 	for (size_t c = 3 * b * EDGE_BLOCK; c < 3 * block_end(table, b); c++) {
 		uint32_t neighbour = neighbours[c];
 		if (neighbour == NO_RECORD)
@@ -148,25 +152,24 @@ static void fill_block(const struct edge_table *table, const uint32_t *neighbour
 		uint8_t corner = (uint8_t)(c / 3 % EDGE_BLOCK + c % 3 * EDGE_BLOCK);
 		uint8_t place = neighbour == EDGE_OPEN ? 0 : neighbour % EDGE_BLOCK;
 		if (is_near(c / 3, neighbour)) {
-			table->near_corners[at->near] = corner;
-			table->near_places[at->near++] = place;
+			table->near_corners[near] = corner;
+			table->near_places[near++] = place;
 			continue;
 		}
-		table->far_corners[at->far] = corner;
-		table->far_places[at->far] = place;
-		table->far_links[at->far++] =
-			neighbour == EDGE_OPEN ? open
-					       : (uint8_t)link_to(&list, neighbour / EDGE_BLOCK);
+		table->far_corners[far] = corner;
+		table->far_places[far] = place;
+		table->far_links[far++] = neighbour == EDGE_OPEN
+						  ? block->link_count
+						  : (uint8_t)link_to(&list, neighbour / EDGE_BLOCK);
 	}
-	memcpy(&table->links[at->link], list.blocks, list.count * sizeof(*list.blocks));
-	at->link += list.count;
+	memcpy(&table->links[block->link], list.blocks, list.count * sizeof(*list.blocks));
+	memset(&table->link_owners[block->link], (int)(b % EDGE_BLOCK_SET), list.count);
 }
 
 static void fill_records(struct edge_table *table, const uint32_t *neighbours)
 {
-	struct edge_reader at = {0};
 	for (size_t b = 0; b < edge_table_blocks(table); b++)
-		fill_block(table, neighbours, b, &at);
+		fill_block(table, neighbours, b);
 }
 
 bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t triangle_count,
@@ -193,12 +196,19 @@ void edge_table_finish(struct edge_table *table)
 	free(table->far_places);
 	free(table->far_links);
 	free(table->links);
+	free(table->link_owners);
+	free(table->open);
 	*table = (struct edge_table){0};
 }
 
 size_t edge_table_blocks(const struct edge_table *table)
 {
 	return table->triangle_count / EDGE_BLOCK + (table->triangle_count % EDGE_BLOCK != 0);
+}
+
+size_t edge_table_sets(const struct edge_table *table)
+{
+	return (edge_table_blocks(table) + EDGE_BLOCK_SET - 1) / EDGE_BLOCK_SET;
 }
 
 size_t edge_table_records(const struct edge_table *table)
@@ -209,7 +219,9 @@ size_t edge_table_records(const struct edge_table *table)
 size_t edge_table_bytes(const struct edge_table *table)
 {
 	return edge_table_blocks(table) * sizeof(*table->blocks) + 2 * table->near_count +
-	       3 * table->far_count + table->link_count * sizeof(*table->links);
+	       3 * table->far_count +
+	       table->link_count * (sizeof(*table->links) + sizeof(*table->link_owners)) +
+	       edge_table_sets(table) * sizeof(*table->open);
 }
 
 static struct edge_record record_of(size_t first, unsigned corner, uint32_t neighbour)
@@ -222,7 +234,6 @@ static struct edge_record record_of(size_t first, unsigned corner, uint32_t neig
 
 void edge_table_decode(const struct edge_table *table, struct edge_record *records)
 {
-	struct edge_reader at = {0};
 	for (size_t b = 0; b < edge_table_blocks(table); b++) {
 		struct edge_block block = table->blocks[b];
 		size_t first = b * EDGE_BLOCK;
@@ -230,17 +241,16 @@ void edge_table_decode(const struct edge_table *table, struct edge_record *recor
 			if (block.next >> t & 1)
 				*records++ = record_of(first, edge_block_corner(&block, t),
 					(uint32_t)first + t + 1);
-		for (size_t i = at.near; i < at.near + block.near_count; i++)
+		for (size_t i = block.near; i < block.near + block.near_count; i++)
 			*records++ = record_of(first, table->near_corners[i],
 				(uint32_t)first + table->near_places[i]);
-		for (size_t i = at.far; i < at.far + block.far_count; i++) {
+		for (size_t i = block.far; i < block.far + block.far_count; i++) {
 			uint8_t link = table->far_links[i];
 			*records++ = record_of(first, table->far_corners[i],
 				link == block.link_count
 					? EDGE_OPEN
-					: table->links[at.link + link] * EDGE_BLOCK +
+					: table->links[block.link + link] * EDGE_BLOCK +
 						  table->far_places[i]);
 		}
-		edge_reader_skip(&at, block);
 	}
 }

@@ -14,14 +14,17 @@ struct edge_block {
 	/* Records of triangles with the one that follows them: bit t of `next`, and of k at the
 	 * owner's corner in `low` and `high`. */
 	uint64_t next, low, high;
+	size_t near, far, link;        /* where its other records and its links begin */
 	uint8_t near_count, far_count; /* other records */
 	uint8_t link_count;            /* other blocks that far records lead to */
-	uint8_t open;                  /* 1: one of the far records is open */
 };
+
+/** Blocks whose bits fit one word. */
+#define EDGE_BLOCK_SET 64
 
 /**
  * Which triangles meet where: one record an edge, of 3 bits where a triangle meets the next one, of
- * 2 bytes where it meets another of the same block, else of 3 and a share of a link, which has 4.
+ * 2 bytes where it meets another of the same block, else of 3 and a share of a link, which has 5.
  *
  * Corner k of triangle t is also a half-edge: from its vertex k to vertex (k + 1) mod 3. Two
  * half-edges between the same two vertices in opposite directions are paired and share one record,
@@ -51,7 +54,9 @@ struct edge_table {
 	uint8_t *far_places;  /* the neighbour's place in its block */
 	uint8_t *far_links;   /* that block's among the block's links; one behind the last: open */
 	size_t link_count;
-	uint32_t *links; /* blocks */
+	uint32_t *links;      /* blocks */
+	uint8_t *link_owners; /* the block whose link it is, modulo EDGE_BLOCK_SET */
+	uint64_t *open;       /* [edge_table_sets()]: a bit for each block with an open record */
 };
 
 /** indices: [3 * triangle_count], each < vertex_count; triangle_count < 2^31. False: out of
@@ -61,20 +66,10 @@ bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t t
 void edge_table_finish(struct edge_table *table);
 
 size_t edge_table_blocks(const struct edge_table *table);
+/** Words in a set of one bit a block: b is bit b % EDGE_BLOCK_SET of word b / EDGE_BLOCK_SET. */
+size_t edge_table_sets(const struct edge_table *table);
 size_t edge_table_records(const struct edge_table *table);
 size_t edge_table_bytes(const struct edge_table *table);
-
-/** Where a block's records and links are: start with 0 and skip one block after the other. */
-struct edge_reader {
-	size_t near, far, link;
-};
-
-static inline void edge_reader_skip(struct edge_reader *reader, struct edge_block block)
-{
-	reader->near += block.near_count;
-	reader->far += block.far_count;
-	reader->link += block.link_count;
-}
 
 /** Owner's corner of the record of the block's triangle t with the next. */
 static inline uint8_t edge_block_corner(const struct edge_block *block, unsigned t)

@@ -182,77 +182,70 @@ void facing_find(const struct caster *caster, const float light[4], uint64_t *fa
 
 #define LINKS_MAX (3 * EDGE_BLOCK)
 
-/* Records whose outcomes fit one word. */
-#define RECORDS_AT_ONCE 64
-
-/* The facing of a block's triangles, one byte for each of their corners. */
-struct corner_facing {
-	uint8_t bytes[3 * EDGE_BLOCK];
+/* Half-edges on the silhouette, of a set of blocks: the corner within its block, and the block
+ * within the set times 256. They are gathered first and then written in one go, because triangles
+ * are far apart in memory: a processor waits for many of them at once only where there is nothing
+ * to mispredict between. */
+struct corner_list {
+	size_t count;
+	uint16_t corners[1024 + 3 * EDGE_BLOCK];
 };
 
-static inline void spread_bits(uint64_t word, struct corner_facing *facing)
+#define CORNERS_FULL 1024
+
+static inline void list_next(
+	struct corner_list *list, const struct edge_block *block, uint64_t facing, uint16_t tag)
 {
-	uint8_t *bytes = facing->bytes;
-	for (int i = 0; i < EDGE_BLOCK; i += 8) {
-		/* Bit j of the eight is kept in byte j alone, and then carried to its top. */
-		uint64_t eight = (word >> i & 0xff) * UINT64_C(0x0101010101010101);
-		eight &= UINT64_C(0x8040201008040201);
-		eight = (eight + UINT64_C(0x7f7f7f7f7f7f7f7f)) >> 7 & UINT64_C(0x0101010101010101);
-		for (int k = 0; k < 3; k++)
-			for (int j = 0; j < 8; j++)
-				bytes[k * EDGE_BLOCK + i + j] = (uint8_t)(eight >> 8 * j);
+	uint64_t differ = (facing ^ facing >> 1) & block->next;
+	for (; differ != 0; differ &= differ - 1)
+		list->corners[list->count++] =
+			tag | edge_block_corner(block, (unsigned)__builtin_ctzll(differ));
+}
+
+/* Each corner is written, and kept if it counts: there is no branch, which no processor could
+ * predict. */
+static inline void list_near(struct corner_list *list, const struct edge_table *table,
+	const struct edge_block *block, uint64_t facing, uint16_t tag)
+{
+	const uint8_t *corners = &table->near_corners[block->near];
+	const uint8_t *places = &table->near_places[block->near];
+	uint16_t *restrict end = &list->corners[list->count];
+	for (size_t i = 0; i < block->near_count; i++) {
+		*end = tag | corners[i];
+		end += (facing >> corners[i] % EDGE_BLOCK ^ facing >> places[i]) & 1;
 	}
+	list->count = (size_t)(end - list->corners);
 }
 
-/* Which of some records have triangles that differ: the first one's bit is the highest. There is no
- * branch on each, which no processor could predict. count: 1 to RECORDS_AT_ONCE */
-static inline uint64_t differ_near(const struct corner_facing *facing,
-	const uint8_t *restrict corners, const uint8_t *restrict places, size_t count)
+static inline void list_far(struct corner_list *list, const struct edge_table *table,
+	const struct edge_block *block, const uint64_t *facing, uint64_t own, uint16_t tag)
 {
-	uint64_t differ = 0;
-	for (size_t i = 0; i < count; i++)
-		differ = 2 * differ + (facing->bytes[corners[i]] ^ facing->bytes[places[i]]);
-	return differ << (RECORDS_AT_ONCE - count);
-}
-
-/* across: the facing of the blocks that the records lead to. */
-static inline uint64_t differ_far(const struct corner_facing *facing, const uint64_t *across,
-	const struct edge_table *table, size_t first, size_t count)
-{
-	const uint8_t *restrict corners = &table->far_corners[first];
-	const uint8_t *restrict places = &table->far_places[first];
-	const uint8_t *restrict links = &table->far_links[first];
-	uint64_t differ = 0;
-	for (size_t i = 0; i < count; i++)
-		differ = 2 * differ +
-			 ((facing->bytes[corners[i]] ^ across[links[i]] >> places[i]) & 1);
-	return differ << (RECORDS_AT_ONCE - count);
-}
-
-/* Which way round depends on the facing without a branch, which no processor could predict. */
-static inline struct silhouette_edge edge_at(
-	const uint32_t *indices, uint64_t facing, uint8_t corner)
-{
-	unsigned t = corner % EDGE_BLOCK, k = corner / EDGE_BLOCK;
-	const uint32_t *corners = &indices[3 * t];
-	uint32_t from = corners[k], to = corners[(0x9u >> 2 * k) % 4];
-	uint32_t swap = (from ^ to) & ((uint32_t)(facing >> t & 1) - 1);
-	return (struct silhouette_edge){from ^ swap, to ^ swap};
-}
-
-/* Fills across with the facing of the blocks that far records lead to, and of none. Returns a word
- * with a bit set if one of them is not `own` throughout. */
-static inline uint64_t look_across(const uint64_t *facing, struct edge_block block,
-	const uint32_t *links, uint64_t own, uint64_t across[LINKS_MAX + 1])
-{
-	uint64_t differs = block.open ? own : 0;
-	for (unsigned i = 0; i < block.link_count; i++) {
-		across[i] = facing[links[i]];
-		differs |= across[i] ^ own;
+	const uint8_t *corners = &table->far_corners[block->far];
+	const uint8_t *places = &table->far_places[block->far];
+	const uint8_t *links = &table->far_links[block->far];
+	uint16_t *restrict end = &list->corners[list->count];
+	uint64_t across[LINKS_MAX + 1];
+	for (unsigned i = 0; i < block->link_count; i++)
+		across[i] = facing[table->links[block->link + i]];
+	across[block->link_count] = 0;
+	for (size_t i = 0; i < block->far_count; i++) {
+		*end = tag | corners[i];
+		end += (own >> corners[i] % EDGE_BLOCK ^ across[links[i]] >> places[i]) & 1;
 	}
-	across[block.link_count] = 0;
-	return differs;
+	list->count = (size_t)(end - list->corners);
 }
+
+static inline bool is_uniform(uint64_t facing)
+{
+	return facing + 1 <= 1;
+}
+
+/* A set of blocks that is searched. */
+struct set_search {
+	const struct caster *caster;
+	const uint64_t *facing;
+	size_t first; /* block */
+};
 
 /* Where edges go. */
 struct edge_output {
@@ -260,92 +253,108 @@ struct edge_output {
 	size_t count, capacity;
 };
 
-/* A block that is searched. */
-struct block_search {
-	const uint32_t *indices;
-	uint64_t facing;
-	struct edge_output *output;
-};
-
-static inline void write_edge(const struct block_search *search, uint8_t corner)
+/* skips: records within a block on one side of the light are passed over. */
+static inline void list_block(
+	const struct set_search *search, unsigned b, bool skips, struct corner_list *list)
 {
-	struct edge_output *output = search->output;
-	if (output->count < output->capacity)
-		output->edges[output->count] = edge_at(search->indices, search->facing, corner);
-	output->count++;
-}
-
-static inline void write_next(const struct block_search *search, const struct edge_block *block)
-{
-	uint64_t facing = search->facing, differ = (facing ^ facing >> 1) & block->next;
-	for (; differ != 0; differ &= differ - 1)
-		write_edge(search, edge_block_corner(block, (unsigned)__builtin_ctzll(differ)));
-}
-
-static inline void write_records(
-	const struct block_search *search, const uint8_t *corners, uint64_t differ)
-{
-	while (differ != 0) {
-		int i = __builtin_clzll(differ);
-		differ ^= UINT64_C(1) << (RECORDS_AT_ONCE - 1 - i);
-		write_edge(search, corners[i]);
+	const struct edge_table *table = &search->caster->edges;
+	const struct edge_block *block = &table->blocks[search->first + b];
+	uint64_t own = search->facing[search->first + b];
+	uint16_t tag = (uint16_t)(b << 8);
+	if (!skips || !is_uniform(own)) {
+		list_next(list, block, own, tag);
+		list_near(list, table, block, own, tag);
 	}
+	list_far(list, table, block, search->facing, own, tag);
 }
 
-static inline size_t at_once(size_t count)
+/* Which way round depends on the facing without a branch. */
+static inline struct silhouette_edge edge_at(const struct set_search *search, uint16_t corner)
 {
-	return count < RECORDS_AT_ONCE ? count : RECORDS_AT_ONCE;
+	unsigned t = corner % EDGE_BLOCK, k = corner / EDGE_BLOCK % 4;
+	size_t b = search->first + corner / 256;
+	const uint32_t *corners = &search->caster->indices[3 * (b * EDGE_BLOCK + t)];
+	uint32_t from = corners[k], to = corners[(0x9u >> 2 * k) % 4];
+	uint32_t swap = (from ^ to) & ((uint32_t)(search->facing[b] >> t & 1) - 1);
+	return (struct silhouette_edge){from ^ swap, to ^ swap};
 }
 
-/* skips: records are passed over where their block's facing and its links' say enough. */
-static inline void find_in_block(const struct caster *caster, const uint64_t *facing, size_t b,
-	struct edge_reader at, bool skips, struct edge_output *output)
+static size_t smaller(size_t a, size_t b)
 {
-	const struct edge_table *table = &caster->edges;
-	const struct edge_block *block = &table->blocks[b];
-	struct block_search search = {&caster->indices[3 * b * EDGE_BLOCK], facing[b], output};
-	struct corner_facing bytes;
-	uint64_t own = facing[b], across[LINKS_MAX + 1];
-	bool uniform = skips && (own == 0 || own == UINT64_MAX);
-	uint64_t differs = look_across(facing, *block, &table->links[at.link], own, across);
-	if (uniform && differs == 0)
-		return;
-	spread_bits(own, &bytes);
-	write_next(&search, block);
-	for (size_t i = 0, n; !uniform && i < block->near_count; i += n) {
-		const uint8_t *corners = &table->near_corners[at.near + i];
-		n = at_once(block->near_count - i);
-		write_records(&search, corners,
-			differ_near(&bytes, corners, &table->near_places[at.near + i], n));
-	}
-	for (size_t i = 0, n; i < block->far_count; i += n) {
-		n = at_once(block->far_count - i);
-		write_records(&search, &table->far_corners[at.far + i],
-			differ_far(&bytes, across, table, at.far + i, n));
-	}
+	return a < b ? a : b;
 }
 
-static inline size_t find_edges(const struct caster *caster, const uint64_t *facing, bool skips,
-	struct silhouette_edge *edges, size_t capacity)
+static void write_edges(
+	const struct set_search *search, struct corner_list *list, struct edge_output *output)
 {
-	struct edge_output output = {edges, 0, capacity};
-	struct edge_reader at = {0};
-	size_t blocks = edge_table_blocks(&caster->edges);
-	for (size_t b = 0; b < blocks; b++) {
-		find_in_block(caster, facing, b, at, skips, &output);
-		edge_reader_skip(&at, caster->edges.blocks[b]);
+	size_t left = output->capacity - smaller(output->count, output->capacity);
+	size_t written = smaller(list->count, left);
+	for (size_t i = 0; i < written; i++)
+		output->edges[output->count + i] = edge_at(search, list->corners[i]);
+	output->count += list->count;
+	list->count = 0;
+}
+
+/* blocks: a bit for each of the set that is searched. */
+static inline void find_in_set(
+	const struct set_search *search, uint64_t blocks, bool skips, struct edge_output *output)
+{
+	struct corner_list list;
+	list.count = 0;
+	for (; blocks != 0; blocks &= blocks - 1) {
+		list_block(search, (unsigned)__builtin_ctzll(blocks), skips, &list);
+		if (list.count >= CORNERS_FULL)
+			write_edges(search, &list, output);
 	}
-	return output.count;
+	write_edges(search, &list, output);
+}
+
+/* A bit for each block of a set. */
+static uint64_t set_of_blocks(const struct edge_table *table, size_t set)
+{
+	size_t left = edge_table_blocks(table) - set * EDGE_BLOCK_SET;
+	return UINT64_MAX >> (EDGE_BLOCK_SET - smaller(left, EDGE_BLOCK_SET));
+}
+
+/* Those that may have edges: those that are not on one side of the light, and those of which a link
+ * is not on theirs. */
+static inline uint64_t blocks_to_search(
+	const struct edge_table *table, const uint64_t *facing, size_t set)
+{
+	size_t first = set * EDGE_BLOCK_SET;
+	size_t count = smaller(edge_table_blocks(table) - first, EDGE_BLOCK_SET);
+	const struct edge_block *last = &table->blocks[first + count - 1];
+	uint64_t mixed = 0, lit = 0;
+	for (size_t i = 0; i < count; i++) {
+		mixed |= (uint64_t)!is_uniform(facing[first + i]) << i;
+		lit |= (facing[first + i] & 1) << i;
+	}
+	uint64_t search = mixed | (lit & table->open[set]);
+	for (size_t i = table->blocks[first].link; i < last->link + last->link_count; i++) {
+		uint8_t owner = table->link_owners[i];
+		search |= (uint64_t)(facing[first + owner] != facing[table->links[i]]) << owner;
+	}
+	return search;
 }
 
 size_t silhouette_find(const struct caster *caster, const uint64_t *facing,
 	struct silhouette_edge *edges, size_t capacity)
 {
-	return find_edges(caster, facing, true, edges, capacity);
+	struct edge_output output = {edges, 0, capacity};
+	for (size_t set = 0; set < edge_table_sets(&caster->edges); set++) {
+		struct set_search search = {caster, facing, set * EDGE_BLOCK_SET};
+		find_in_set(&search, blocks_to_search(&caster->edges, facing, set), true, &output);
+	}
+	return output.count;
 }
 
 size_t silhouette_find_all(const struct caster *caster, const uint64_t *facing,
 	struct silhouette_edge *edges, size_t capacity)
 {
-	return find_edges(caster, facing, false, edges, capacity);
+	struct edge_output output = {edges, 0, capacity};
+	for (size_t set = 0; set < edge_table_sets(&caster->edges); set++) {
+		struct set_search search = {caster, facing, set * EDGE_BLOCK_SET};
+		find_in_set(&search, set_of_blocks(&caster->edges, set), false, &output);
+	}
+	return output.count;
 }
