@@ -3,6 +3,7 @@
 #include "base/array.h"
 #include "geom/triangle_order.h"
 #include <meshoptimizer.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -68,10 +69,16 @@ static void trim(struct caster *caster)
 		array_trim(caster->indices, 3 * caster->triangle_count, sizeof(*caster->indices));
 }
 
+static uint64_t next_version(void)
+{
+	static _Atomic uint64_t last;
+	return atomic_fetch_add(&last, 1) + 1;
+}
+
 bool caster_init(struct caster *caster, const float (*positions)[3], size_t vertex_count,
 	const uint32_t *indices, size_t triangle_count)
 {
-	*caster = (struct caster){.triangle_count = triangle_count};
+	*caster = (struct caster){.version = next_version(), .triangle_count = triangle_count};
 	if (!weld(caster, positions, vertex_count, indices))
 		goto error;
 	if (!orientation_repair(&caster->found, (const float(*)[3])caster->positions,
@@ -103,6 +110,7 @@ void caster_move(struct caster *caster, const float (*positions)[3])
 	face_planes_update(&caster->planes, (const float(*)[3])caster->positions,
 		caster->vertex_count, caster->indices);
 	face_cones_finish(&caster->cones);
+	caster->version = next_version();
 }
 
 void caster_finish(struct caster *caster)

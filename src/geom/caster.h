@@ -10,6 +10,7 @@
 /** A mesh as its silhouettes are searched: welded by position alone, wound consistently, in a
  *  triangle order of its own: closed parts first, and blocks of neighbours that look alike. */
 struct caster {
+	uint64_t version; /* of triangles and positions: no other caster has it, nor had */
 	size_t vertex_count;
 	float (*positions)[3]; /* [vertex_count], without negative zeros; distinct at first */
 	uint32_t *sources;     /* [vertex_count]: one of the vertices that were welded into it */

@@ -179,6 +179,22 @@ void face_cones_test(const struct face_cones *cones, size_t first, const struct 
 	}
 }
 
+/* The distance to a cone's surface. */
+double face_cones_slack(
+	const struct face_cones *cones, size_t b, const struct cone_light *light, uint8_t side)
+{
+	double sign = light->w < 0.0f ? -1.0 : 1.0, w = sign * light->w;
+	double d[3] = {sign * light->x - w * cones->x[b], sign * light->y - w * cones->y[b],
+		sign * light->z - w * cones->z[b]};
+	double axis[3] = {cones->axis_x[b], cones->axis_y[b], cones->axis_z[b]};
+	double along = dot(d, axis), spread = cones->spread[b];
+	double aside = dot(d, d) - along * along + ASIDE_MARGIN;
+	bool faces = (side == CONE_FACES) == (sign > 0.0);
+	double depth =
+		faces ? along - w * cones->faces_from[b] : -along - w * cones->averts_from[b];
+	return (depth - CONE_MARGIN - sqrt(aside * spread)) / sqrt(1.0 + spread);
+}
+
 /* How many blocks are decided, on average over directions to the corners, edges and faces of a
  * cube. */
 static double count_decided(const struct face_cones *cones)

@@ -8,6 +8,10 @@
 /* What the table holds about a half-edge, while it is built. Triangles are below 2^31. */
 #define NO_RECORD (UINT32_MAX - 1)
 
+/* Of fewer records a link, it isn't kept which triangles links lead to: that takes 8 bytes each,
+ * and such meshes hang together so little that it saves nothing. */
+#define LINK_RECORDS_MIN 8
+
 /* The first side from i on that runs this way. */
 static size_t next_side(const struct side *sides, size_t count, size_t i, uint8_t reversed)
 {
@@ -139,6 +143,22 @@ static bool reserve_records(struct edge_table *table, uint32_t *neighbours)
 	       table->far_links != NULL && table->links != NULL && table->link_owners != NULL;
 }
 
+static bool reserve_link_faces(struct edge_table *table)
+{
+	if (table->link_count > edge_table_records(table) / LINK_RECORDS_MIN)
+		return true;
+	table->link_faces = array_zalloc(table->link_count, sizeof(*table->link_faces));
+	return table->link_faces != NULL;
+}
+
+static void fill_link_faces(const struct edge_table *table, const struct edge_block *block)
+{
+	for (size_t i = block->far; i < block->far + block->far_count; i++)
+		if (table->far_links[i] < block->link_count)
+			table->link_faces[block->link + table->far_links[i]] |=
+				UINT64_C(1) << table->far_places[i];
+}
+
 /* Fills what one block owns. */
 static void fill_block(const struct edge_table *table, const uint32_t *neighbours, size_t b)
 {
@@ -164,6 +184,8 @@ static void fill_block(const struct edge_table *table, const uint32_t *neighbour
 	}
 	memcpy(&table->links[block->link], list.blocks, list.count * sizeof(*list.blocks));
 	memset(&table->link_owners[block->link], (int)(b % EDGE_BLOCK_SET), list.count);
+	if (table->link_faces != NULL)
+		fill_link_faces(table, block);
 }
 
 static void fill_records(struct edge_table *table, const uint32_t *neighbours)
@@ -178,7 +200,7 @@ bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t t
 	*table = (struct edge_table){.triangle_count = triangle_count};
 	uint32_t *neighbours = array_alloc(triangle_count, 3 * sizeof(*neighbours));
 	bool ok = neighbours != NULL && pair_sides(table, indices, vertex_count, neighbours) &&
-		  reserve_records(table, neighbours);
+		  reserve_records(table, neighbours) && reserve_link_faces(table);
 	if (ok)
 		fill_records(table, neighbours);
 	else
@@ -197,6 +219,7 @@ void edge_table_finish(struct edge_table *table)
 	free(table->far_links);
 	free(table->links);
 	free(table->link_owners);
+	free(table->link_faces);
 	free(table->open);
 	*table = (struct edge_table){0};
 }
@@ -218,9 +241,11 @@ size_t edge_table_records(const struct edge_table *table)
 
 size_t edge_table_bytes(const struct edge_table *table)
 {
+	size_t link_faces = table->link_faces != NULL ? sizeof(*table->link_faces) : 0;
 	return edge_table_blocks(table) * sizeof(*table->blocks) + 2 * table->near_count +
 	       3 * table->far_count +
-	       table->link_count * (sizeof(*table->links) + sizeof(*table->link_owners)) +
+	       table->link_count *
+		       (sizeof(*table->links) + sizeof(*table->link_owners) + link_faces) +
 	       edge_table_sets(table) * sizeof(*table->open);
 }
 

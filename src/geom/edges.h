@@ -24,7 +24,8 @@ struct edge_block {
 
 /**
  * Which triangles meet where: one record an edge, of 3 bits where a triangle meets the next one, of
- * 2 bytes where it meets another of the same block, else of 3 and a share of a link, which has 5.
+ * 2 bytes where it meets another of the same block, else of 3 and a share of a link, which has 13,
+ * or 5 where links are many.
  *
  * Corner k of triangle t is also a half-edge: from its vertex k to vertex (k + 1) mod 3. Two
  * half-edges between the same two vertices in opposite directions are paired and share one record,
@@ -39,8 +40,8 @@ struct edge_block {
  * Records are kept per block of 64 triangles, by the owner: those with the next triangle, near
  * ones, whose neighbour is in the same block, and far ones, the open ones among them. The owner's
  * corner is a byte: triangle in the block + 64 k. A block's links are the other blocks that its far
- * records lead to, each once: where all these and the block itself are on one side of a light,
- * nothing of it is on a silhouette.
+ * records lead to, each once: where the block is on one side of a light, and so are all triangles
+ * that these records lead to, nothing of it is on a silhouette.
  */
 struct edge_table {
 	size_t triangle_count;
@@ -56,7 +57,9 @@ struct edge_table {
 	size_t link_count;
 	uint32_t *links;      /* blocks */
 	uint8_t *link_owners; /* the block whose link it is, modulo EDGE_BLOCK_SET */
-	uint64_t *open;       /* [edge_table_sets()]: a bit for each block with an open record */
+	uint64_t
+		*link_faces; /* a bit for each triangle there that records lead to; or NULL: many */
+	uint64_t *open;      /* [edge_table_sets()]: a bit for each block with an open record */
 };
 
 /** indices: [3 * triangle_count], each < vertex_count; triangle_count < 2^31. False: out of
@@ -70,6 +73,12 @@ size_t edge_table_blocks(const struct edge_table *table);
 size_t edge_table_sets(const struct edge_table *table);
 size_t edge_table_records(const struct edge_table *table);
 size_t edge_table_bytes(const struct edge_table *table);
+
+/** The triangles that records of a link lead to, and maybe others there. */
+static inline uint64_t edge_link_faces(const struct edge_table *table, size_t link)
+{
+	return table->link_faces != NULL ? table->link_faces[link] : UINT64_MAX;
+}
 
 /** Owner's corner of the record of the block's triangle t with the next. */
 static inline uint8_t edge_block_corner(const struct edge_block *block, unsigned t)

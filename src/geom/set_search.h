@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GEOM_SET_SEARCH_H
+#define GEOM_SET_SEARCH_H
+
+#include "geom/silhouette.h"
+
+/** A set of blocks that is searched for edges. */
+struct set_search {
+	const struct caster *caster;
+	const uint64_t *facing;
+	size_t first; /* block */
+};
+
+/** Half-edges on the silhouette, of a set of blocks: the corner within its block, and the block
+ * within the set times 256. They are gathered first and then written in one go, because triangles
+ * are far apart in memory: a processor waits for many of them at once only where there is nothing
+ * to mispredict between. */
+struct corner_list {
+	size_t count;
+	uint16_t corners[EDGE_BLOCK_SET * 3 * EDGE_BLOCK];
+	uint16_t ends[EDGE_BLOCK_SET]; /* of each block that was listed: the count behind it */
+};
+
+/** Lists the edges of some of the set's blocks, a bit for each, in the blocks' order. skips:
+ * records within a block on one side of the light are passed over. */
+void set_search_list(
+	const struct set_search *search, uint64_t blocks, bool skips, struct corner_list *list);
+
+/** The edge of one of the list's corners. Which way round it is depends on the facing without a
+ * branch, which no processor could predict. */
+static inline struct silhouette_edge set_search_edge(
+	const struct set_search *search, uint16_t corner)
+{
+	unsigned t = corner % EDGE_BLOCK, k = corner / EDGE_BLOCK % 4;
+	size_t b = search->first + corner / 256;
+	const uint32_t *corners = &search->caster->indices[3 * (b * EDGE_BLOCK + t)];
+	uint32_t from = corners[k], to = corners[(0x9u >> 2 * k) % 4];
+	uint32_t swap = (from ^ to) & ((uint32_t)(search->facing[b] >> t & 1) - 1);
+	return (struct silhouette_edge){from ^ swap, to ^ swap};
+}
+
+#endif

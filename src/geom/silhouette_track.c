@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT */
+#include "geom/silhouette_track.h"
+#include "base/array.h"
+#include "geom/set_search.h"
+#include <stdlib.h>
+#include <string.h>
+
+void silhouette_track_finish(struct silhouette_track *track)
+{
+	free(track->facing.facing);
+	free(track->facing.safe);
+	free(track->facing.turned);
+	free(track->starts);
+	free(track->kept);
+	free(track->next);
+	*track = (struct silhouette_track){0};
+}
+
+size_t silhouette_track_bytes(const struct silhouette_track *track)
+{
+	size_t block = sizeof(*track->facing.facing) + sizeof(*track->facing.safe) +
+		       sizeof(*track->facing.turned) + sizeof(*track->starts);
+	return track->block_count * block +
+	       (track->kept_capacity + track->next_capacity) * sizeof(*track->kept);
+}
+
+/* Nothing is known of the caster. */
+static bool start(struct silhouette_track *track, const struct caster *caster)
+{
+	size_t blocks = facing_words(caster);
+	silhouette_track_finish(track);
+	track->block_count = blocks;
+	track->facing.facing = array_zalloc(blocks, sizeof(*track->facing.facing));
+	track->facing.safe = array_zalloc(blocks, sizeof(*track->facing.safe));
+	track->facing.turned = array_alloc(blocks, sizeof(*track->facing.turned));
+	track->starts = array_zalloc(blocks + 1, sizeof(*track->starts));
+	return track->facing.facing != NULL && track->facing.safe != NULL &&
+	       track->facing.turned != NULL && track->starts != NULL;
+}
+
+/* The blocks of a set of which, or of the triangles they lead to, some have turned. */
+static uint64_t blocks_to_renew(
+	const struct edge_table *table, const uint64_t *turned, size_t first, size_t end)
+{
+	const struct edge_block *last = &table->blocks[end - 1];
+	uint64_t renew = 0;
+	for (size_t b = first; b < end; b++)
+		renew |= (uint64_t)(turned[b] != 0) << (b - first);
+	for (size_t i = table->blocks[first].link; i < last->link + last->link_count; i++) {
+		uint64_t across = turned[table->links[i]] & edge_link_faces(table, i);
+		renew |= (uint64_t)(across != 0) << table->link_owners[i];
+	}
+	return renew;
+}
+
+/* Goes through the sets of blocks, from the kept edges to the next. */
+struct renewal {
+	struct silhouette_track *track;
+	size_t count;              /* of next edges */
+	size_t begin;              /* of a block's kept edges */
+	struct corner_list listed; /* of one set */
+};
+
+/* Takes over the kept edges of blocks: from first up to end. */
+static void keep_blocks(struct renewal *renewal, size_t first, size_t end)
+{
+	struct silhouette_track *track = renewal->track;
+	size_t kept = track->starts[end] - renewal->begin;
+	size_t shift = renewal->count - renewal->begin;
+	if (kept > 0)
+		memcpy(&track->next[renewal->count], &track->kept[renewal->begin],
+			kept * sizeof(*track->kept));
+	for (size_t b = first; b < end; b++)
+		track->starts[b] += shift;
+	renewal->count += kept;
+	renewal->begin += kept;
+}
+
+/* Moves the kept edges of a set to where they go, with room between them; shifts: from places in
+ * the list to places among the next edges, of each block that is renewed. */
+static void make_room(struct renewal *renewal, size_t first, size_t end, uint64_t renew,
+	size_t shifts[EDGE_BLOCK_SET])
+{
+	struct silhouette_track *track = renewal->track;
+	size_t b = first, listed = 0;
+	for (; renew != 0; renew &= renew - 1) {
+		unsigned place = (unsigned)__builtin_ctzll(renew);
+		size_t after = renewal->listed.ends[place];
+		keep_blocks(renewal, b, first + place);
+		b = first + place;
+		renewal->begin = track->starts[b + 1];
+		track->starts[b] = renewal->count;
+		shifts[place] = renewal->count - listed;
+		renewal->count += after - listed;
+		listed = after;
+		b++;
+	}
+	keep_blocks(renewal, b, end);
+}
+
+static bool renew_set(
+	struct renewal *renewal, const struct set_search *search, size_t end, uint64_t renew)
+{
+	struct silhouette_track *track = renewal->track;
+	struct corner_list *listed = &renewal->listed;
+	size_t shifts[EDGE_BLOCK_SET];
+	set_search_list(search, renew, true, listed);
+	size_t most = renewal->count + track->starts[end] - renewal->begin + listed->count;
+	if (!array_reserve(
+		    (void **)&track->next, &track->next_capacity, most, sizeof(*track->next)))
+		return false;
+	make_room(renewal, search->first, end, renew, shifts);
+	for (size_t i = 0; i < listed->count; i++) {
+		uint16_t corner = listed->corners[i];
+		track->next[i + shifts[corner / 256]] = set_search_edge(search, corner);
+	}
+	track->searched += (size_t)__builtin_popcountll(renew);
+	return true;
+}
+
+static bool renew_edges(struct silhouette_track *track, const struct caster *caster)
+{
+	const struct edge_table *table = &caster->edges;
+	struct renewal renewal;
+	renewal.track = track;
+	renewal.count = renewal.begin = 0;
+	for (size_t set = 0; set < edge_table_sets(table); set++) {
+		struct set_search search = {caster, track->facing.facing, set * EDGE_BLOCK_SET};
+		size_t end = search.first + EDGE_BLOCK_SET;
+		if (end > track->block_count)
+			end = track->block_count;
+		uint64_t renew = blocks_to_renew(table, track->facing.turned, search.first, end);
+		if (!renew_set(&renewal, &search, end, renew))
+			return false;
+	}
+	track->starts[track->block_count] = renewal.count;
+	track->edge_count = renewal.count;
+	return true;
+}
+
+static void swap_edges(struct silhouette_track *track)
+{
+	struct silhouette_edge *edges = track->kept;
+	size_t capacity = track->kept_capacity;
+	track->kept = track->next;
+	track->kept_capacity = track->next_capacity;
+	track->next = edges;
+	track->next_capacity = capacity;
+	track->edges = track->kept;
+}
+
+bool silhouette_track(
+	struct silhouette_track *track, const struct caster *caster, const float light[4])
+{
+	bool other = track->version != caster->version;
+	if (other && !start(track, caster)) {
+		silhouette_track_finish(track);
+		return false;
+	}
+	facing_renew(caster, light, &track->facing);
+	track->version = caster->version;
+	track->searched = 0;
+	if (!renew_edges(track, caster)) {
+		silhouette_track_finish(track);
+		return false;
+	}
+	swap_edges(track);
+	return true;
+}
