@@ -10,7 +10,7 @@
 
 /* Of fewer records a link, it isn't kept which triangles links lead to: that takes 8 bytes each,
  * and such meshes hang together so little that it saves nothing. */
-#define LINK_RECORDS_MIN 8
+#define LINK_RECORDS_MIN 4
 
 /* The first side from i on that runs this way. */
 static size_t next_side(const struct side *sides, size_t count, size_t i, uint8_t reversed)

@@ -259,17 +259,23 @@ static bool has_expired(const struct facing_track *track, size_t first, size_t b
 	return expired != 0;
 }
 
-/* Moves the track on to a light. */
-static void travel_to(struct facing_track *track, size_t blocks, const float light[4])
+double facing_way(const struct facing_track *track, const float light[4])
 {
 	double square = 0.0;
 	for (int i = 0; i < 3; i++) {
 		double way = (double)light[i] - track->light[i];
 		square += way * way;
 	}
+	return light[3] == track->light[3] && isfinite(square) ? sqrt(square) : INFINITY;
+}
+
+/* Moves the track on to a light. */
+static void travel_to(struct facing_track *track, size_t blocks, const float light[4])
+{
+	double way = facing_way(track, light);
 	/* Rounded up, each time. */
-	track->travel = nextafter(track->travel + sqrt(square) * (1.0 + 0x1p-40), INFINITY);
-	if (light[3] != track->light[3] || !isfinite(track->travel)) {
+	track->travel = nextafter(track->travel + way * (1.0 + 0x1p-40), INFINITY);
+	if (way == INFINITY) {
 		memset(track->safe, 0, blocks * sizeof(*track->safe));
 		track->travel = 0.0;
 	}

@@ -32,6 +32,9 @@ struct facing_track {
 	size_t tested;    /* blocks, the last time */
 };
 
+/** How far it is from the track's light to another; infinite where w is another, or not finite. */
+double facing_way(const struct facing_track *track, const float light[4]);
+
 /** Makes the facing that of another light, as facing_find() finds it. Blocks of which no triangle
  *  can have turned are not tested. */
 void facing_renew(const struct caster *caster, const float light[4], struct facing_track *track);

@@ -101,6 +101,9 @@ static void find_in_set(
 	output->count += list.count;
 }
 
+/* Of a set's blocks on both sides of the light, in 64: with more, no other is worth looking for. */
+#define MIXED_MAX 32
+
 /* A bit for each block of a set. */
 static uint64_t set_of_blocks(const struct edge_table *table, size_t set)
 {
@@ -108,8 +111,8 @@ static uint64_t set_of_blocks(const struct edge_table *table, size_t set)
 	return UINT64_MAX >> (EDGE_BLOCK_SET - smaller(left, EDGE_BLOCK_SET));
 }
 
-/* Those that have edges: those that are not on one side of the light, but for a few, and those that
- * lead to a triangle that is not on theirs. */
+/* Those that may have edges: that are not on one side of the light, and that lead to a triangle
+ * that is not on theirs. */
 static inline uint64_t blocks_to_search(
 	const struct edge_table *table, const uint64_t *facing, size_t set)
 {
@@ -121,6 +124,8 @@ static inline uint64_t blocks_to_search(
 		mixed |= (uint64_t)!is_uniform(facing[first + i]) << i;
 		lit |= (facing[first + i] & 1) << i;
 	}
+	if (EDGE_BLOCK_SET * (size_t)__builtin_popcountll(mixed) >= MIXED_MAX * count)
+		return set_of_blocks(table, set);
 	uint64_t search = mixed | (lit & table->open[set]);
 	for (size_t i = table->blocks[first].link; i < last->link + last->link_count; i++) {
 		uint8_t owner = table->link_owners[i];

@@ -29,6 +29,8 @@ static bool start(struct silhouette_track *track, const struct caster *caster)
 {
 	size_t blocks = facing_words(caster);
 	silhouette_track_finish(track);
+	track->version = caster->version;
+	track->plain = true;
 	track->block_count = blocks;
 	track->facing.facing = array_zalloc(blocks, sizeof(*track->facing.facing));
 	track->facing.safe = array_zalloc(blocks, sizeof(*track->facing.safe));
@@ -149,18 +151,61 @@ static void swap_edges(struct silhouette_track *track)
 	track->edges = track->kept;
 }
 
+/* With more than this share of blocks tested, keeping what was found takes more time than it saves.
+ */
+#define TESTED_MAX 0.75
+
+/* So many steps in a row tell: of few blocks, most are tested now and then. */
+#define MANY_STEPS 4
+
+static bool track_step(struct silhouette_track *track, const struct caster *caster,
+	const float light[4], double way)
+{
+	if (track->plain) {
+		memset(track->facing.facing, 0, track->block_count * sizeof(uint64_t));
+		memset(track->facing.safe, 0, track->block_count * sizeof(double));
+		memset(track->starts, 0, (track->block_count + 1) * sizeof(size_t));
+	}
+	facing_renew(caster, light, &track->facing);
+	bool many = (double)track->facing.tested > TESTED_MAX * (double)track->block_count;
+	if (!track->plain)
+		track->many = many ? track->many + 1 : 0;
+	if (track->many >= MANY_STEPS && (track->far == 0.0 || way < track->far))
+		track->far = way;
+	track->plain = false;
+	track->searched = 0;
+	return renew_edges(track, caster);
+}
+
+static bool find_plainly(
+	struct silhouette_track *track, const struct caster *caster, const float light[4])
+{
+	facing_find(caster, light, track->facing.facing);
+	memcpy(track->facing.light, light, sizeof(track->facing.light));
+	track->plain = true;
+	track->facing.tested = track->searched = track->block_count;
+	size_t count =
+		silhouette_find(caster, track->facing.facing, track->next, track->next_capacity);
+	track->edge_count = count;
+	if (count <= track->next_capacity)
+		return true;
+	if (!array_reserve(
+		    (void **)&track->next, &track->next_capacity, count, sizeof(*track->next)))
+		return false;
+	silhouette_find(caster, track->facing.facing, track->next, count);
+	return true;
+}
+
 bool silhouette_track(
 	struct silhouette_track *track, const struct caster *caster, const float light[4])
 {
-	bool other = track->version != caster->version;
-	if (other && !start(track, caster)) {
+	if (track->version != caster->version && !start(track, caster)) {
 		silhouette_track_finish(track);
 		return false;
 	}
-	facing_renew(caster, light, &track->facing);
-	track->version = caster->version;
-	track->searched = 0;
-	if (!renew_edges(track, caster)) {
+	double way = facing_way(&track->facing, light);
+	bool far = track->far > 0.0 && way >= track->far;
+	if (!(far ? find_plainly(track, caster, light) : track_step(track, caster, light, way))) {
 		silhouette_track_finish(track);
 		return false;
 	}

@@ -8,6 +8,7 @@
  * A caster's silhouette as a light moves: what is found for one place of the light is kept, and for
  * the next only those blocks are searched of which a triangle has turned, or one they lead to.
  * 32 bytes a block and 16 an edge of the silhouette. Zero is empty, and of no caster.
+ * Where the light goes so far that most blocks have to be tested, as it jumps, nothing is kept.
  */
 struct silhouette_track {
 	const struct silhouette_edge *edges; /* as silhouette_find() finds them */
@@ -16,6 +17,9 @@ struct silhouette_track {
 	struct facing_track facing;
 	/* Owned, but for edges */
 	uint64_t version; /* the caster's; 0: none */
+	bool plain;       /* nothing but edges and facing is known of the last time */
+	double far;       /* steps of at least this are as well searched plainly; 0: none known */
+	unsigned many;    /* steps in a row that had most blocks tested */
 	size_t block_count;
 	size_t *starts; /* [block_count + 1]: where the edges of each block begin */
 	struct silhouette_edge *kept, *next;
