@@ -24,18 +24,17 @@ size_t silhouette_track_bytes(const struct silhouette_track *track)
 	       (track->kept_capacity + track->next_capacity) * sizeof(*track->kept);
 }
 
-/* Nothing is known of the caster. */
-static bool start(struct silhouette_track *track, const struct caster *caster)
+static bool reserve(struct silhouette_track *track, const struct caster *caster)
 {
 	size_t blocks = facing_words(caster);
+	if (track->starts != NULL && track->block_count == blocks)
+		return true;
 	silhouette_track_finish(track);
-	track->version = caster->version;
-	track->plain = true;
 	track->block_count = blocks;
-	track->facing.facing = array_zalloc(blocks, sizeof(*track->facing.facing));
-	track->facing.safe = array_zalloc(blocks, sizeof(*track->facing.safe));
+	track->facing.facing = array_alloc(blocks, sizeof(*track->facing.facing));
+	track->facing.safe = array_alloc(blocks, sizeof(*track->facing.safe));
 	track->facing.turned = array_alloc(blocks, sizeof(*track->facing.turned));
-	track->starts = array_zalloc(blocks + 1, sizeof(*track->starts));
+	track->starts = array_alloc(blocks + 1, sizeof(*track->starts));
 	return track->facing.facing != NULL && track->facing.safe != NULL &&
 	       track->facing.turned != NULL && track->starts != NULL;
 }
@@ -196,16 +195,39 @@ static bool find_plainly(
 	return true;
 }
 
-bool silhouette_track(
+/* Nothing has changed since the last time. */
+static bool is_same(
+	const struct silhouette_track *track, const struct caster *caster, const float light[4])
+{
+	return track->version == caster->version &&
+	       memcmp(track->facing.light, light, sizeof(track->facing.light)) == 0;
+}
+
+static bool track_light(
 	struct silhouette_track *track, const struct caster *caster, const float light[4])
 {
-	if (track->version != caster->version && !start(track, caster)) {
-		silhouette_track_finish(track);
+	if (!reserve(track, caster))
 		return false;
+	if (track->version != caster->version) {
+		/* One that moves is another each time. */
+		track->version = caster->version;
+		track->far = 0.0;
+		track->many = 0;
+		return find_plainly(track, caster, light);
 	}
 	double way = facing_way(&track->facing, light);
 	bool far = track->far > 0.0 && way >= track->far;
-	if (!(far ? find_plainly(track, caster, light) : track_step(track, caster, light, way))) {
+	return far ? find_plainly(track, caster, light) : track_step(track, caster, light, way);
+}
+
+bool silhouette_track(
+	struct silhouette_track *track, const struct caster *caster, const float light[4])
+{
+	if (is_same(track, caster, light)) {
+		track->facing.tested = track->searched = 0;
+		return true;
+	}
+	if (!track_light(track, caster, light)) {
 		silhouette_track_finish(track);
 		return false;
 	}
