@@ -36,50 +36,46 @@ static struct fin_params fin_params_of(const struct light_frame *frame, const st
 	return params;
 }
 
-/* Fills set->edges; returns false when out of memory. */
-static bool find_silhouettes(
-	struct fin_set *set, const struct caster *caster, const float light[4], size_t *count)
+static bool reserve_tracks(struct fin_set *set, size_t count)
 {
-	if (!array_reserve((void **)&set->facing, &set->facing_capacity, facing_words(caster),
-		    sizeof(*set->facing)))
+	size_t had = set->track_count;
+	if (!array_reserve((void **)&set->tracks, &set->track_count, count, sizeof(*set->tracks)))
 		return false;
-	facing_find(caster, light, set->facing);
-	*count = silhouette_find(caster, set->facing, set->edges, set->edge_capacity);
-	if (*count <= set->edge_capacity)
-		return true;
-	if (!array_reserve((void **)&set->edges, &set->edge_capacity, *count, sizeof(*set->edges)))
-		return false;
-	silhouette_find(caster, set->facing, set->edges, set->edge_capacity);
+	if (set->track_count > had)
+		memset(&set->tracks[had], 0, (set->track_count - had) * sizeof(*set->tracks));
 	return true;
 }
 
-static bool append_fins(struct fin_set *set, const struct caster *caster, size_t edge_count,
-	const struct fin_params *params)
+static bool append_fins(struct fin_set *set, const struct caster *caster,
+	const struct silhouette_track *track, const struct fin_params *params)
 {
-	size_t most = set->vertex_count + fins_max_vertices(edge_count, params->both_sides);
-	if (!fin_scratch_reserve(&set->scratch, caster, edge_count) ||
+	size_t most = set->vertex_count + fins_max_vertices(track->edge_count, params->both_sides);
+	if (!fin_scratch_reserve(&set->scratch, caster, track->edge_count) ||
 		!array_reserve((void **)&set->vertices, &set->vertex_capacity, most,
 			sizeof(*set->vertices)))
 		return false;
-	set->vertex_count += fins_build(caster, set->edges, edge_count, params, &set->scratch,
-		set->vertices + set->vertex_count, set->vertex_capacity - set->vertex_count);
+	set->vertex_count += fins_build(caster, track->edges, track->edge_count, params,
+		&set->scratch, set->vertices + set->vertex_count,
+		set->vertex_capacity - set->vertex_count);
 	return true;
 }
 
 void fin_set_finish(struct fin_set *set)
 {
 	fin_scratch_finish(&set->scratch);
-	free(set->facing);
-	free(set->edges);
+	for (size_t i = 0; i < set->track_count; i++)
+		silhouette_track_finish(&set->tracks[i]);
+	free(set->tracks);
 	free(set->vertices);
 	*set = (struct fin_set){0};
 }
 
 void fin_set_list_memory(const struct fin_set *set, const struct memory_list *list)
 {
-	memory_list_processor(
-		list, "silhouettes: facing", set->facing_capacity * sizeof(*set->facing));
-	memory_list_processor(list, "silhouettes: edges", set->edge_capacity * sizeof(*set->edges));
+	size_t tracks = set->track_count * sizeof(*set->tracks);
+	for (size_t i = 0; i < set->track_count; i++)
+		tracks += silhouette_track_bytes(&set->tracks[i]);
+	memory_list_processor(list, "silhouettes: tracks", tracks);
 	memory_list_processor(list, "fins: corners", fin_scratch_bytes(&set->scratch));
 	memory_list_processor(
 		list, "fins: vertices", set->vertex_capacity * sizeof(*set->vertices));
@@ -95,19 +91,17 @@ static float fin_reach(const struct fin_params *params, const struct light_frame
 }
 
 /* Appends the fins of one caster. */
-static bool add_caster(struct fin_set *set, const struct caster *caster,
-	const struct light_frame *frame, const struct object *object,
+static bool add_caster(struct fin_set *set, struct silhouette_track *track,
+	const struct caster *caster, const struct light_frame *frame, const struct object *object,
 	const struct fin_params *params)
 {
 	mat4 to_object;
 	vec4 light;
-	size_t edge_count;
 	glm_mat4_inv((vec4 *)object->transform, to_object);
 	glm_mat4_mulv(to_object, (float *)frame->origin, light);
-	if (!find_silhouettes(set, caster, light, &edge_count) ||
-		!append_fins(set, caster, edge_count, params))
+	if (!silhouette_track(track, caster, light) || !append_fins(set, caster, track, params))
 		return false;
-	set->edge_count += edge_count;
+	set->edge_count += track->edge_count;
 	return true;
 }
 
@@ -118,6 +112,8 @@ bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
 	set->vertex_count = set->edge_count = set->caster_count = set->missing_count = 0;
 	if (!fin_shape_has_width(shape, frame))
 		return true;
+	if (!reserve_tracks(set, scene->object_count))
+		return false;
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
 		const struct mesh *mesh = &scene->meshes[object->mesh];
@@ -129,7 +125,7 @@ bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
 			mesh_misses_screen(mesh, (vec4 *)object->transform,
 				(vec4 *)frame->world_to_clip, fin_reach(&params, frame), false))
 			set->missing_count++;
-		else if (!add_caster(set, &mesh->caster, frame, object, &params))
+		else if (!add_caster(set, &set->tracks[i], &mesh->caster, frame, object, &params))
 			return false;
 	}
 	return true;

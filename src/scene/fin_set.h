@@ -4,6 +4,7 @@
 
 #include "base/memory_list.h"
 #include "geom/fins.h"
+#include "geom/silhouette_track.h"
 #include "scene/light.h"
 
 /** Width of a smoothie's fin as a share of the half-width of the penumbra it stands for,
@@ -31,10 +32,9 @@ struct fin_set {
 	size_t edge_count;                  /* of silhouettes that they are on */
 	size_t caster_count, missing_count; /* casters, and those that were left out */
 	/* Working memory; owned */
-	uint64_t *facing;
-	struct silhouette_edge *edges;
+	struct silhouette_track *tracks; /* of the scene's objects, as the light sees them */
 	struct fin_scratch scratch;
-	size_t facing_capacity, edge_capacity, vertex_capacity;
+	size_t track_count, vertex_capacity;
 };
 
 void fin_set_finish(struct fin_set *set);
