@@ -2,11 +2,11 @@
 /* How long the search for silhouettes takes, against one that passes nothing over and two plainer
  * edge tables. */
 #define _GNU_SOURCE /* twalk_r, sched_setaffinity */
-#include "geom/silhouette.h"
 #include "base/array.h"
 #include "base/error.h"
 #include "bench/statistics.h"
 #include "geom/mesh.h"
+#include "geom/silhouette_track.h"
 #include "models.h"
 #include <getopt.h>
 #include <malloc.h>
@@ -21,6 +21,7 @@
 #define LIGHTS 60
 #define ROUNDS 15
 #define SAMPLES (LIGHTS * ROUNDS)
+#define STEPS 200
 
 /* One record of 16 bytes: t1 is the index of a bit that is never set when there is no triangle. */
 struct plain_edge {
@@ -258,10 +259,10 @@ static bool agree(struct bench *bench)
 	return true;
 }
 
-static void light_on_circle(const struct caster *caster, int i, float light[4])
+static void light_on_circle(const struct caster *caster, double degrees, float light[4])
 {
 	const struct face_planes *planes = &caster->planes;
-	double angle = 2.0 * 3.14159265358979 * i / LIGHTS;
+	double angle = 3.14159265358979 / 180.0 * degrees;
 	light[0] = (float)(planes->center[0] + 3.0 * planes->radius * cos(angle));
 	light[1] = (float)(planes->center[1] + 2.0 * planes->radius);
 	light[2] = (float)(planes->center[2] + 3.0 * planes->radius * sin(angle));
@@ -297,7 +298,7 @@ static bool measure(struct bench *bench, double ns[TIMED], struct findings *find
 	for (int s = 0; s < SAMPLES; s++) {
 		float light[4];
 		double once[TIMED] = {0};
-		light_on_circle(&bench->mesh.caster, s % LIGHTS, light);
+		light_on_circle(&bench->mesh.caster, 360.0 / LIGHTS * (s % LIGHTS), light);
 		search_all(bench, light, s < LIGHTS, once);
 		for (int i = 0; i < TIMED; i++)
 			samples[i][s] = once[i];
@@ -343,6 +344,80 @@ static void report(const struct bench *bench, const char *name, const double ns[
 		(double)bench->tree_bytes / edges);
 }
 
+/* A light that goes on by one angle, and what tracking it takes; per edge, and shares of blocks. */
+struct tracking {
+	double degrees; /* 0: it jumps */
+	double all, track;
+	double tested, searched, bytes;
+};
+
+static bool same_silhouette(const struct bench *bench, const struct silhouette_track *track)
+{
+	size_t words = facing_words(&bench->mesh.caster);
+	const struct result *all = &bench->all_found;
+	return track->edge_count == all->count &&
+	       memcmp(track->edges, all->edges, all->count * sizeof(*all->edges)) == 0 &&
+	       memcmp(track->facing.facing, bench->facing_all, words * sizeof(uint64_t)) == 0;
+}
+
+static bool measure_step(struct bench *bench, struct silhouette_track *track, const float light[4],
+	double *all, double *tracked)
+{
+	const struct caster *caster = &bench->mesh.caster;
+	double start = now();
+	facing_find_all(caster, light, bench->facing_all);
+	bench->all_found.count = silhouette_find_all(caster, bench->facing_all,
+		bench->all_found.edges, edge_table_records(&caster->edges));
+	double middle = now();
+	bool ok = silhouette_track(track, caster, light);
+	*tracked = now() - middle;
+	*all = middle - start;
+	return ok && same_silhouette(bench, track);
+}
+
+/* Medians; false when the searches disagree. */
+static bool measure_tracking(struct bench *bench, struct tracking *tracking)
+{
+	static double all[STEPS], tracked[STEPS];
+	const struct caster *caster = &bench->mesh.caster;
+	double edges = (double)bench->plain.count, blocks = (double)facing_words(caster);
+	struct silhouette_track track = {0};
+	bool same = true;
+	for (int i = 0; i < STEPS && same; i++) {
+		float light[4];
+		/* 137.5 degrees, the golden angle, is never near where it has just been. */
+		double degrees = i * (tracking->degrees > 0.0 ? tracking->degrees : 137.5);
+		light_on_circle(caster, degrees, light);
+		same = measure_step(bench, &track, light, &all[i], &tracked[i]);
+		tracking->tested += (double)track.facing.tested / blocks / STEPS;
+		tracking->searched += (double)track.searched / blocks / STEPS;
+	}
+	tracking->all = statistics_median(all, STEPS) / edges;
+	tracking->track = statistics_median(tracked, STEPS) / edges;
+	tracking->bytes = (double)silhouette_track_bytes(&track) / edges;
+	silhouette_track_finish(&track);
+	return same;
+}
+
+static bool report_tracking(struct bench *bench)
+{
+	const double steps[] = {0.1, 0.25, 0.5, 1.0, 5.0, 0.0};
+	printf("  %-34s %9s %9s %12s %8s %9s\n", "tracked, a step", "ns/edge", "faster",
+		"bytes/edge", "tested", "searched");
+	for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]); i++) {
+		struct tracking tracking = {.degrees = steps[i]};
+		char title[32] = "  jumps";
+		if (!measure_tracking(bench, &tracking))
+			return false;
+		if (steps[i] > 0.0)
+			snprintf(title, sizeof(title), "  %g degrees", steps[i]);
+		printf("  %-34s %9.3f %9.2f %12.2f %6.1f %% %7.1f %%\n", title, tracking.track,
+			tracking.all / tracking.track, tracking.bytes, 100.0 * tracking.tested,
+			100.0 * tracking.searched);
+	}
+	return true;
+}
+
 static int run(const char *name, struct model *model)
 {
 	struct bench bench;
@@ -356,7 +431,8 @@ static int run(const char *name, struct model *model)
 	bool ok = measure(&bench, ns, &findings);
 	if (ok)
 		report(&bench, name, ns, &findings);
-	else
+	ok = ok && report_tracking(&bench);
+	if (!ok)
 		fprintf(stderr, "bench-silhouette: %s: the searches disagree\n", name);
 	bench_finish(&bench);
 	return ok ? SM_OK : SM_ERROR_MACHINE;
@@ -412,12 +488,12 @@ static void print_usage(FILE *out)
 	fprintf(out,
 		"Usage: bench-silhouette [-s PARTS] [MODEL]...\n"
 		"Times the search for silhouettes on one core, for %d lights on a circle, %d\n"
-		"times each, but the tree once. Prints medians. Without MODEL: toy-car.glb when it "
-		"is there, or a\n"
-		"sphere.\n"
+		"times each, but the tree once; and how long one takes that is tracked as it goes\n"
+		"around, for %d steps of several angles. Prints medians. Without MODEL:\n"
+		"toy-car.glb when it is there, or a sphere.\n"
 		"  -s PARTS  split each edge into PARTS, 1 to 9, and so each triangle\n"
 		"Exit status: 1 when the searches disagree, 2 when a MODEL cannot be used.\n",
-		LIGHTS, ROUNDS);
+		LIGHTS, ROUNDS, STEPS);
 }
 
 int main(int argc, char **argv)
