@@ -20,7 +20,8 @@ size_t silhouette_track_bytes(const struct silhouette_track *track)
 {
 	size_t block = sizeof(*track->facing.facing) + sizeof(*track->facing.safe) +
 		       sizeof(*track->facing.turned) + sizeof(*track->starts);
-	return track->block_count * block +
+	size_t end = track->starts != NULL ? sizeof(*track->starts) : 0;
+	return track->block_count * block + end +
 	       (track->kept_capacity + track->next_capacity) * sizeof(*track->kept);
 }
 
