@@ -135,6 +135,7 @@ bool sm_renderer_is_current(
 /* What was kept for later frames. */
 static void forget(struct sm_renderer *renderer)
 {
+	renderer->gpu.failures++;
 	shadow_set_forget(&renderer->shadows);
 	for (size_t i = 0; i < renderer->light_capacity; i++)
 		renderer->lights[i].points = (struct points_key){0};

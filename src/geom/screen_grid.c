@@ -19,6 +19,12 @@ void screen_grid_fill(struct screen_grid *grid)
 	memset(grid, 0xff, sizeof(*grid));
 }
 
+void screen_grid_unite(struct screen_grid *grid, const struct screen_grid *other)
+{
+	for (int row = 0; row < SCREEN_GRID_SIZE; row++)
+		grid->rows[row] |= other->rows[row];
+}
+
 static float to_cells(float ndc)
 {
 	return (ndc * 0.5f + 0.5f) * SCREEN_GRID_SIZE;

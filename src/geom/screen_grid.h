@@ -18,6 +18,9 @@ struct screen_grid {
 void screen_grid_clear(struct screen_grid *grid);
 void screen_grid_fill(struct screen_grid *grid);
 
+/** Marks all that is marked in another. */
+void screen_grid_unite(struct screen_grid *grid, const struct screen_grid *other);
+
 /** A corner of a shape, NDC. */
 struct screen_point {
 	float x, y;

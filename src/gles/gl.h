@@ -34,6 +34,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(BLENDEQUATION, BlendEquation) \
 	X(BLENDFUNC, BlendFunc) \
 	X(BUFFERDATA, BufferData) \
+	X(BUFFERSUBDATA, BufferSubData) \
 	X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
 	X(CLEARBUFFERFV, ClearBufferfv) \
 	X(CLEARBUFFERUIV, ClearBufferuiv) \

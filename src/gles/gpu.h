@@ -22,6 +22,7 @@ struct gpu {
 	uint32_t raster_bits;  /* see raster_grid.h; 0 until it is asked for */
 	struct sm_frame_stats stats;
 	struct skips skips;
+	uint64_t failures; /* frames that failed: nobody knows what they left in textures */
 };
 
 /** Fails as sm_renderer_create_with(). */

@@ -8,6 +8,7 @@ static const struct {
 } infos[SKIP_COUNT] = {
 	[SKIP_FRAME] = {"frame", "a picture that would be the one that is there"},
 	[SKIP_LIGHT] = {"light", "what a light sees, while it and the objects stay as they are"},
+	[SKIP_STATIC] = {"static", "what a light sees beside objects that have changed"},
 	[SKIP_CASTER] = {"caster", "an object that is beside a light's screen"},
 	[SKIP_VIEW] = {"view", "a light that reaches nothing in the view"},
 	[SKIP_DIM] = {"dim", "a light, after the first, that adds less than rounding takes away"},

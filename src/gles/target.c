@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/target.h"
+#include <math.h>
 #include <stdlib.h>
+
+/* Texels around a part of the screen: one that vertices may be snapped across, and one to spare. */
+#define PART_SLACK 2.0f
 
 static void set_texture_parameters(struct gl *gl, GLenum kind)
 {
@@ -186,6 +190,49 @@ struct target_area target_inside(const struct target *target)
 {
 	GLsizei inside = target->size > 2 ? target->size - 2 : 0;
 	return (struct target_area){1, 1, inside, inside};
+}
+
+/* First and last of the inner texels that a range of NDC may touch. */
+static void find_texels(GLsizei size, float min, float max, GLint *first, GLsizei *count)
+{
+	float half = 0.5f * (float)size;
+	float from = fmaxf(floorf(half * min + half) - PART_SLACK, 1.0f);
+	float end = fminf(ceilf(half * max + half) + PART_SLACK, (float)(size - 1));
+	*first = from < end ? (GLint)from : 0;
+	*count = from < end ? (GLsizei)(end - from) : 0;
+}
+
+struct target_area target_part(const struct target *target, const struct screen_box *part)
+{
+	struct target_area area;
+	find_texels(target->size, part->min[0], part->max[0], &area.x, &area.width);
+	find_texels(target->size, part->min[1], part->max[1], &area.y, &area.height);
+	return area.width > 0 && area.height > 0 ? area : (struct target_area){0};
+}
+
+struct screen_box target_part_reach(const struct target *target, const struct screen_box *part)
+{
+	struct target_area area = target_part(target, part);
+	float texel = 2.0f / (float)target->size;
+	if (screen_box_is_all(part))
+		return *part;
+	if (area.width == 0 || area.height == 0)
+		return screen_box_none();
+	const struct screen_box box = {
+		{(float)area.x * texel - 1.0f, (float)area.y * texel - 1.0f},
+		{(float)(area.x + area.width) * texel - 1.0f,
+			(float)(area.y + area.height) * texel - 1.0f},
+	};
+	return screen_box_widened(&box, PART_SLACK * texel);
+}
+
+void target_restrict_clear(
+	const struct target *target, const struct screen_box *part, struct gl *gl)
+{
+	if (screen_box_is_all(part))
+		gl->Disable(GL_SCISSOR_TEST);
+	else
+		target_restrict(target_part(target, part), gl);
 }
 
 void target_restrict(struct target_area area, struct gl *gl)

@@ -2,6 +2,7 @@
 #ifndef GLES_TARGET_H
 #define GLES_TARGET_H
 
+#include "geom/screen_box.h"
 #include "gles/gl.h"
 
 /** A square texture, or layers of such, and the framebuffer that draws into it alone. */
@@ -47,6 +48,17 @@ struct target_area {
 /** All but the outermost texels: while they stay as they are cleared, look-ups beside the texture,
  *  which are clamped to them, find nothing. */
 struct target_area target_inside(const struct target *target);
+
+/** The texels inside that a part of the screen may touch, wherever the rasteriser snaps what is in
+ *  it; none: width and height are 0. */
+struct target_area target_part(const struct target *target, const struct screen_box *part);
+
+/** The part of the screen that what is drawn into those texels touches. */
+struct screen_box target_part_reach(const struct target *target, const struct screen_box *part);
+
+/** Restricts clearing to target_part(); where the part is all, to nothing. */
+void target_restrict_clear(
+	const struct target *target, const struct screen_box *part, struct gl *gl);
 
 /** Restricts clearing and drawing until the scissor test is disabled. */
 void target_restrict(struct target_area area, struct gl *gl);

@@ -5,7 +5,7 @@
 #include "base/memory_list.h"
 #include "geom/fins.h"
 #include "geom/silhouette_track.h"
-#include "scene/light.h"
+#include "scene/object_watch.h"
 
 /** Width of a smoothie's fin as a share of the half-width of the penumbra it stands for,
  *  R (r - b) / (b r) on the light's screen. A fin only has the outer half, running from dark at the
@@ -24,17 +24,28 @@ struct fin_shape {
 /** A point light has no penumbra, unless the shape gives it one. */
 bool fin_shape_has_width(const struct fin_shape *shape, const struct light_frame *frame);
 
+/** The fins of one object. */
+struct fin_part {
+	size_t first, count; /* vertices */
+	size_t edge_count;
+	bool casts, missing, fresh; /* fresh: not those of the search before */
+	struct screen_box box;
+};
+
 /** The fins of all casters, as one light sees them. Zero is empty; memory is kept from one search
  * to the next. */
 struct fin_set {
 	struct fin_vertex *vertices; /* quads of four, in order around; owned */
 	size_t vertex_count;
-	size_t edge_count;                  /* of silhouettes that they are on */
+	struct fin_part *parts; /* of each object; owned */
+	size_t part_count;
+	size_t edge_count; /* of silhouettes that were looked for and fins are on */
 	size_t caster_count, missing_count; /* casters, and those that were left out */
 	/* Working memory; owned */
+	struct fin_vertex *before;       /* what vertices were, where some are kept */
 	struct silhouette_track *tracks; /* of the scene's objects, as the light sees them */
 	struct fin_scratch scratch;
-	size_t track_count, vertex_capacity;
+	size_t track_count, vertex_capacity, before_capacity, part_capacity;
 };
 
 void fin_set_finish(struct fin_set *set);
@@ -48,5 +59,15 @@ void fin_set_list_memory(const struct fin_set *set, const struct memory_list *li
 bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size,
 	bool on_screen);
+
+/** The same, but for objects that have not changed keeps the fins of the last search, which was for
+ *  the same shape and size. watch: on casters, looked at once since then. changed: widened to where
+ *  fins were, or are, that were not kept. */
+bool fin_set_update(struct fin_set *set, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size,
+	bool on_screen, const struct object_watch *watch, struct screen_box *changed);
+
+/** Has the next search keep nothing. */
+void fin_set_clear(struct fin_set *set);
 
 #endif

@@ -230,15 +230,15 @@ static void add_sizes(mat4 matrix, vec4 sizes)
 	glm_vec4_copy(sums, sizes);
 }
 
-bool mesh_misses_screen(
-	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, float reach, bool far_cuts)
+/* Corners of a mesh's box in clip space, and the sizes of what is added up for their coordinates.
+ */
+static void find_corners(
+	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, vec4 corners[8], vec4 sizes)
 {
-	/* Axis and sign; the far plane is the last. */
-	static const int sides[6][2] = {{0, 1}, {0, -1}, {1, 1}, {1, -1}, {2, -1}, {2, 1}};
-	vec4 sizes = {0.0f, 0.0f, 0.0f, 1.0f}, corners[8];
 	mat4 to_clip;
 	for (int axis = 0; axis < 3; axis++)
 		sizes[axis] = fmaxf(fabsf(mesh->min[axis]), fabsf(mesh->max[axis]));
+	sizes[3] = 1.0f;
 	add_sizes(transform, sizes);
 	add_sizes(world_to_clip, sizes);
 	glm_mat4_mul(world_to_clip, transform, to_clip);
@@ -248,6 +248,15 @@ bool mesh_misses_screen(
 				i & 2 ? mesh->max[1] : mesh->min[1],
 				i & 4 ? mesh->max[2] : mesh->min[2], 1.0f},
 			corners[i]);
+}
+
+bool mesh_misses_screen(
+	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, float reach, bool far_cuts)
+{
+	/* Axis and sign; the far plane is the last. */
+	static const int sides[6][2] = {{0, 1}, {0, -1}, {1, 1}, {1, -1}, {2, -1}, {2, 1}};
+	vec4 sizes, corners[8];
+	find_corners(mesh, transform, world_to_clip, corners, sizes);
 	for (int side = 0; side < (far_cuts ? 6 : 5); side++) {
 		int axis = sides[side][0];
 		float scale = 1.0f + (axis < 2 ? reach : 0.0f), sign = (float)sides[side][1];
@@ -259,4 +268,25 @@ bool mesh_misses_screen(
 			return true;
 	}
 	return false;
+}
+
+void mesh_screen_box(
+	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, struct screen_box *box)
+{
+	vec4 sizes, corners[8];
+	find_corners(mesh, transform, world_to_clip, corners, sizes);
+	*box = screen_box_none();
+	for (int i = 0; i < 8; i++) {
+		/* Rounding leaves half of w at least; true for NaN too. */
+		float w = corners[i][3] - 2.0f * ROUNDING * sizes[3];
+		if (!(w > 2.0f * ROUNDING * sizes[3])) {
+			*box = screen_box_all();
+			return;
+		}
+		float x = corners[i][0] / w, y = corners[i][1] / w;
+		float slack_x = ROUNDING * (sizes[0] + 4.0f * fabsf(x) * sizes[3]) / w;
+		float slack_y = ROUNDING * (sizes[1] + 4.0f * fabsf(y) * sizes[3]) / w;
+		screen_box_add_point(box, x - slack_x, y - slack_y);
+		screen_box_add_point(box, x + slack_x, y + slack_y);
+	}
 }

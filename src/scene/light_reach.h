@@ -2,6 +2,7 @@
 #ifndef SCENE_LIGHT_REACH_H
 #define SCENE_LIGHT_REACH_H
 
+#include "geom/screen_box.h"
 #include "scene/light.h"
 
 /** The part of space that a camera sees. */
@@ -26,5 +27,10 @@ float light_brightest(const struct sm_light_desc *light, const struct light_fram
  *  is before the near plane or, where that cuts, behind the far one. */
 bool mesh_misses_screen(
 	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, float reach, bool far_cuts);
+
+/** A bound on where a mesh is on a light's screen: all of that, where it may come as near as the
+ *  light itself. */
+void mesh_screen_box(
+	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, struct screen_box *box);
 
 #endif

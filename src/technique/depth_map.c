@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/depth_map.h"
+#include "base/error.h"
 #include "scene/light_reach.h"
 #include <string.h>
 
@@ -108,14 +109,30 @@ bool depth_map_init_once(
 
 void depth_map_finish(struct depth_map *map, struct gpu *gpu)
 {
+	object_watch_finish(&map->watch);
 	gl_delete_sampler(&gpu->gl, &map->compare);
 	target_finish(&map->plain, &gpu->gl);
 	target_finish(&map->target, &gpu->gl);
 }
 
+void depth_map_list_memory(const struct depth_map *map, const struct memory_list *list)
+{
+	object_watch_list_memory(&map->watch, list);
+}
+
+static bool is_caster(const struct object *object)
+{
+	return object->casts;
+}
+
+static bool is_receiver_only(const struct object *object)
+{
+	return object->receives && !object->casts;
+}
+
 static bool has_content(const struct object *object, enum depth_map_content content)
 {
-	return content == DEPTH_OF_CASTERS ? object->casts : object->receives && !object->casts;
+	return content == DEPTH_OF_CASTERS ? is_caster(object) : is_receiver_only(object);
 }
 
 bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content content)
@@ -134,14 +151,32 @@ bool depth_map_misses(struct gpu *gpu, const struct sm_scene *scene, const struc
 			(vec4 *)frame->world_to_clip, 0.0f, true));
 }
 
-static void draw_casters(struct gpu *gpu, const struct sm_scene *scene,
+/* Objects that are drawn again: those that touch a part of the light's screen. */
+struct redraw {
+	const struct object_watch *watch;
+	struct screen_box reach;
+};
+
+/* redraw: NULL for all objects. */
+static bool is_drawn(struct gpu *gpu, const struct sm_scene *scene, size_t index,
+	const struct light_frame *frame, const struct redraw *redraw)
+{
+	const struct object *object = &scene->objects[index];
+	if (redraw != NULL &&
+		skip_take(&gpu->skips, SKIP_STATIC,
+			!screen_box_touches(&redraw->watch->objects[index].box, &redraw->reach)))
+		return false;
+	return !depth_map_misses(gpu, scene, object, frame);
+}
+
+static void draw_objects(struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content,
-	const struct program *program)
+	const struct redraw *redraw, const struct program *program)
 {
 	struct gl *gl = &gpu->gl;
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
-		if (!has_content(object, content) || depth_map_misses(gpu, scene, object, frame))
+		if (!has_content(object, content) || !is_drawn(gpu, scene, i, frame, redraw))
 			continue;
 		mat4 to_clip;
 		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
@@ -169,9 +204,9 @@ static void clear(struct gl *gl, float depth, uint64_t write)
 		gl->ClearBufferfv(GL_COLOR, 0, color);
 }
 
-bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
+static bool fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
 	enum depth_map_content content, uint64_t write, struct target_area area,
-	struct sm_error *error)
+	const struct redraw *redraw, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	struct program_key key = {PROGRAM_DEPTH_MAP, write};
@@ -186,36 +221,70 @@ bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct 
 	target_restrict(area, gl);
 	/* Which would not leave alone the bits of a float. */
 	gl->Disable(GL_DITHER);
-	draw_casters(gpu, scene, frame, content, program);
+	draw_objects(gpu, scene, frame, content, redraw, program);
 	gl->Enable(GL_DITHER);
 	gl->Disable(GL_SCISSOR_TEST);
 	return true;
 }
 
-bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error)
+bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
+	enum depth_map_content content, uint64_t write, struct target_area area,
+	struct sm_error *error)
+{
+	return fill(gpu, scene, frame, content, write, area, NULL, error);
+}
+
+void depth_map_forget(struct depth_map *map)
+{
+	object_watch_forget(&map->watch);
+}
+
+static bool draw_part(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, enum depth_map_content content,
+	const struct screen_box *part, const struct redraw *redraw, struct sm_error *error)
 {
 	gl_push_group(&gpu->gl, content == DEPTH_OF_CASTERS ? "shadow map" : "receiver map");
 	bind_target(map, &gpu->gl);
-	bool drawn = depth_map_fill(
-		gpu, scene, frame, content, map->write, target_inside(&map->target), error);
+	target_restrict_clear(&map->target, part, &gpu->gl);
+	bool drawn = fill(gpu, scene, frame, content, map->write, target_part(&map->target, part),
+		redraw, error);
 	gl_pop_group(&gpu->gl);
 	return drawn;
 }
 
-bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, GLsizei size, struct target_area area,
-	struct sm_error *error)
+bool depth_map_draw_part(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, enum depth_map_content content,
+	const struct screen_box *part, struct sm_error *error)
 {
-	if (!depth_map_init_once(map, gpu, size, error))
-		return false;
-	gl_push_group(&gpu->gl, "receiver map");
-	bind_target(map, &gpu->gl);
-	target_restrict(area, &gpu->gl);
-	bool drawn =
-		depth_map_fill(gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, map->write, area, error);
-	gl_pop_group(&gpu->gl);
+	return draw_part(map, gpu, scene, frame, content, part, NULL, error);
+}
+
+bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	struct screen_box *changed = &map->changed;
+	if (gpu->skips.off[SKIP_STATIC] || map->failures != gpu->failures)
+		depth_map_forget(map);
+	map->failures = gpu->failures;
+	if (!object_watch_look(&map->watch, scene, frame, is_caster, changed))
+		return error_no_memory(error);
+	if (screen_box_is_none(changed))
+		return true;
+	const struct redraw redraw = {&map->watch, target_part_reach(&map->target, changed)};
+	bool drawn = draw_part(map, gpu, scene, frame, DEPTH_OF_CASTERS, changed, &redraw, error);
+	if (!drawn)
+		depth_map_forget(map);
 	return drawn;
+}
+
+bool depth_map_look_at_receivers(struct object_watch *watch, const struct sm_scene *scene,
+	const struct light_frame *frame, struct screen_box *changed, struct sm_error *error)
+{
+	struct screen_box part;
+	if (!object_watch_look(watch, scene, frame, is_receiver_only, &part))
+		return error_no_memory(error);
+	screen_box_add(changed, &part);
+	return true;
 }
 
 /* How light space becomes window coordinates: w = z, x, y / (2 extent w), K (1 - near / w) for a

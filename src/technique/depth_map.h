@@ -3,6 +3,7 @@
 #define TECHNIQUE_DEPTH_MAP_H
 
 #include "gles/target.h"
+#include "scene/object_watch.h"
 #include "technique/technique.h"
 
 /** At which texels the sampler compares. */
@@ -21,21 +22,27 @@ struct depth_ways {
 /** Fails as way_choose(). */
 bool depth_ways_choose(struct depth_ways *ways, struct gpu *gpu, struct sm_error *error);
 
-/** A light's shadow map: a depth texture that is compared, and what is read plainly. */
+/** A light's shadow map: a depth texture that is compared, and what is read plainly. It is kept
+ * from frame to frame, and drawn anew where objects that it holds have changed. */
 struct depth_map {
 	struct target target;
 	struct target
 		plain;  /* depths as colours, with the depth texture; zero: they are read there */
 	GLuint compare; /* sampler: LEQUAL */
 	enum depth_map_filter filter;
-	uint64_t write; /* flags of PROGRAM_DEPTH_MAP */
-	bool shared;    /* with the other lights: of receivers */
+	uint64_t write;            /* flags of PROGRAM_DEPTH_MAP */
+	struct object_watch watch; /* on what it holds */
+	struct screen_box changed; /* of the light's screen, when it was last asked for */
+	uint64_t failures;         /* of the GPU so far, when it was drawn */
+	bool shared;               /* with the other lights: of receivers */
 };
 
 /** plain: whether it is read without comparing as well. */
 bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
 	enum depth_map_filter filter, bool plain, struct sm_error *error);
 void depth_map_finish(struct depth_map *map, struct gpu *gpu);
+
+void depth_map_list_memory(const struct depth_map *map, const struct memory_list *list);
 
 /** Which objects a map holds: where there are none it is 1, or 0 where it holds the farthest. */
 enum depth_map_content {
@@ -51,9 +58,13 @@ bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content 
 bool depth_map_misses(struct gpu *gpu, const struct sm_scene *scene, const struct object *object,
 	const struct light_frame *frame);
 
-/** Clears the map and draws the objects into its inside. */
+/** Has the map hold the casters, in its inside: what it held, it keeps where none of them has
+ *  changed. map->changed is set to where that is not so. */
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, enum depth_map_content content, struct sm_error *error);
+	const struct light_frame *frame, struct sm_error *error);
+
+/** Has the next draw start with nothing. */
+void depth_map_forget(struct depth_map *map);
 
 /** Initialises a zeroed map, of receivers, the first time that it is needed. All lights share one:
  *  what is drawn is there until another one is. */
@@ -63,11 +74,14 @@ bool depth_map_init_once(
 /** The texture to be read without comparing. */
 GLuint depth_map_plain_texture(const struct depth_map *map);
 
-/** Draws what receives and does not cast within an area alone; what is around it is not touched.
- *  Initialises a zeroed map, of this size. */
-bool depth_map_draw_receivers(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, GLsizei size, struct target_area area,
-	struct sm_error *error);
+/** Clears a part of the map and draws the objects into that; what is around it is not touched. */
+bool depth_map_draw_part(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, enum depth_map_content content,
+	const struct screen_box *part, struct sm_error *error);
+
+/** Widens `changed` to where what only receives shows otherwise than at the last look. */
+bool depth_map_look_at_receivers(struct object_watch *watch, const struct sm_scene *scene,
+	const struct light_frame *frame, struct screen_box *changed, struct sm_error *error);
 
 /** Binds the map for a surface program, and sets the uniforms of shadow_receiver.glsl. */
 void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct light_frame *frame,

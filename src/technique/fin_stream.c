@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/fin_stream.h"
+#include "base/array.h"
+#include "base/error.h"
 #include "base/processor_time.h"
 #include "technique/disc.h"
+#include <stdlib.h>
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu)
 {
@@ -32,67 +35,177 @@ void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu)
 	gl_delete_vertex_array(&gpu->gl, &stream->array);
 	gl_delete_buffer(&gpu->gl, &stream->buffer);
 	fin_set_finish(&stream->set);
+	object_watch_finish(&stream->receivers);
+	free(stream->grids);
+	stream->grids = NULL;
 }
 
-static void mark_fins(struct fin_stream *stream, GLsizei map_size)
+void fin_stream_list_memory(const struct fin_stream *stream, const struct memory_list *list)
+{
+	fin_set_list_memory(&stream->set, list);
+	object_watch_list_memory(&stream->receivers, list);
+	memory_list_processor(list, "fins: grids", stream->grid_capacity * sizeof(*stream->grids));
+}
+
+static void mark_part(struct screen_grid *grid, const struct fin_set *set,
+	const struct fin_part *part, GLsizei map_size)
 {
 	static const uint8_t edges[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
 	/* A surface looks up texels whose centres lie up to one texel off; half a texel more for
 	 * what the rasteriser snaps. */
 	float slack = 1.5f * SCREEN_GRID_SIZE / (float)map_size;
-	for (size_t quad = 0; quad < stream->set.vertex_count; quad += 4) {
+	screen_grid_clear(grid);
+	for (size_t quad = part->first; quad < part->first + part->count; quad += 4) {
 		struct screen_point corners[4];
 		for (int i = 0; i < 4; i++)
-			corners[i] = (struct screen_point){
-				stream->set.vertices[quad + (size_t)i].position[0],
-				stream->set.vertices[quad + (size_t)i].position[1]};
-		screen_grid_add(&stream->grid, corners, edges, 4, slack);
+			corners[i] =
+				(struct screen_point){set->vertices[quad + (size_t)i].position[0],
+					set->vertices[quad + (size_t)i].position[1]};
+		screen_grid_add(grid, corners, edges, 4, slack);
 	}
 }
 
-static void upload(struct fin_stream *stream, struct gpu *gpu)
+static bool mark_fins(struct fin_stream *stream, GLsizei map_size)
 {
-	size_t bytes = stream->set.vertex_count * sizeof(*stream->set.vertices);
-	gl_fill_buffer(&gpu->gl, GL_ARRAY_BUFFER, stream->buffer, bytes, stream->set.vertices,
-		GL_STREAM_DRAW);
-	gpu->stats.fin_vertices += stream->set.vertex_count;
-	gpu->stats.uploaded_bytes += bytes;
+	const struct fin_set *set = &stream->set;
+	screen_grid_clear(&stream->grid);
+	if (!array_reserve((void **)&stream->grids, &stream->grid_capacity, set->part_count,
+		    sizeof(*stream->grids)))
+		return false;
+	for (size_t i = 0; i < set->part_count; i++) {
+		if (set->parts[i].fresh)
+			mark_part(&stream->grids[i], set, &set->parts[i], map_size);
+		screen_grid_unite(&stream->grid, &stream->grids[i]);
+	}
+	return true;
 }
 
-bool fin_stream_update(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct fin_shape *shape, GLsizei map_size,
-	struct sm_error *error)
+/* Of all casters that have changed. changed: widened to where fins were or are that have. */
+static bool find_fins(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct fin_shape *shape,
+	const struct depth_map *casters, struct screen_box *changed, struct sm_error *error)
 {
-	stream->set.vertex_count = 0;
-	screen_grid_clear(&stream->grid);
-	if (!fin_shape_has_width(shape, frame))
-		return true;
+	GLsizei map_size = casters->target.size;
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
-	bool built = fin_set_find(&stream->set, scene, frame, shape, (uint32_t)map_size,
-		!gpu->skips.off[SKIP_CASTER]);
+	bool built = fin_set_update(&stream->set, scene, frame, shape, (uint32_t)map_size,
+			     !gpu->skips.off[SKIP_CASTER], &casters->watch, changed) &&
+		     mark_fins(stream, map_size);
 	if (built) {
 		skip_count(&gpu->skips, SKIP_CASTER, stream->set.caster_count,
 			stream->set.missing_count);
-		mark_fins(stream, map_size);
 		gpu->stats.silhouette_edges += stream->set.edge_count;
 		gpu->stats.silhouette_ms += processor_ms() - start;
-		upload(stream, gpu);
 	}
 	gl_pop_group(&gpu->gl);
 	return built || error_no_memory(error);
 }
 
-struct target_area fin_stream_area(const struct fin_stream *stream, GLsizei map_size)
+/* To all fins of the objects of which some touch a part of a target's screen. */
+static void widen(
+	const struct fin_stream *stream, const struct target *target, struct screen_box *changed)
 {
+	const struct screen_box reach = target_part_reach(target, changed);
+	for (size_t i = 0; i < stream->set.part_count; i++)
+		if (screen_box_touches(&stream->set.parts[i].box, &reach))
+			screen_box_add(changed, &stream->set.parts[i].box);
+}
+
+/* The cells that fins are in. */
+static struct screen_box find_bounds(const struct fin_stream *stream)
+{
+	const float cell = 2.0f / SCREEN_GRID_SIZE;
 	int min[2], max[2];
 	if (!screen_grid_bounds(&stream->grid, min, max))
-		return (struct target_area){0};
-	GLint x = min[0] * map_size / SCREEN_GRID_SIZE, y = min[1] * map_size / SCREEN_GRID_SIZE;
-	/* Up to the texel that the last cell ends in. */
-	GLint right = (max[0] * map_size + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
-	GLint top = (max[1] * map_size + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
-	return (struct target_area){x, y, right - x, top - y};
+		return screen_box_none();
+	return (struct screen_box){
+		{(float)min[0] * cell - 1.0f, (float)min[1] * cell - 1.0f},
+		{(float)max[0] * cell - 1.0f, (float)max[1] * cell - 1.0f},
+	};
+}
+
+/* What fins that are drawn into a part look at. */
+static bool draw_receivers(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct fin_shape *shape, const struct fin_maps *maps,
+	struct screen_box part, struct sm_error *error)
+{
+	const struct target *target = &maps->casters->target;
+	const struct screen_box bounds = find_bounds(stream);
+	if (shape->both_sides)
+		widen(stream, target, &part);
+	screen_box_cut(&part, &bounds);
+	return depth_map_init_once(maps->receivers, gpu, target->size, error) &&
+	       depth_map_draw_part(
+		       maps->receivers, gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, &part, error);
+}
+
+static bool prepare(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct fin_shape *shape, const struct fin_maps *maps,
+	uint64_t *flags, struct screen_box *part, struct sm_error *error)
+{
+	if (!depth_map_draw(maps->casters, gpu, scene, frame, error))
+		return false;
+	*part = maps->casters->changed;
+	if (!find_fins(stream, gpu, scene, frame, shape, maps->casters, part, error) ||
+		!depth_map_look_at_receivers(&stream->receivers, scene, frame, part, error))
+		return false;
+	if (stream->set.vertex_count > 0 && depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY))
+		*flags |= FLAG_RECEIVER_MAP;
+	if (*flags != stream->drawn_flags)
+		*part = screen_box_all();
+	stream->drawn_flags = *flags;
+	/* Which look at what is beside their silhouettes. */
+	if (shape->both_sides)
+		widen(stream, &maps->casters->target, part);
+	return screen_box_is_none(part) || !(*flags & FLAG_RECEIVER_MAP) ||
+	       draw_receivers(stream, gpu, scene, frame, shape, maps, *part, error);
+}
+
+bool fin_stream_prepare(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct fin_shape *shape, const struct fin_maps *maps,
+	uint64_t *flags, struct screen_box *part, struct sm_error *error)
+{
+	bool done = prepare(stream, gpu, scene, frame, shape, maps, flags, part, error);
+	/* What has changed since is known no more. */
+	if (!done)
+		depth_map_forget(maps->casters);
+	return done;
+}
+
+/* From a part on, the last of those that follow each other and are all uploaded, or all not. */
+static size_t find_run(
+	const struct fin_set *set, size_t first, const struct screen_box *reach, bool *touches)
+{
+	*touches = screen_box_touches(&set->parts[first].box, reach);
+	size_t last = first;
+	while (last + 1 < set->part_count &&
+		screen_box_touches(&set->parts[last + 1].box, reach) == *touches)
+		last++;
+	return last;
+}
+
+void fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct target *target,
+	const struct screen_box *part)
+{
+	const struct fin_set *set = &stream->set;
+	size_t size = sizeof(*set->vertices), used = 0;
+	const struct screen_box reach = target_part_reach(target, part);
+	bool touches;
+	gl_fill_buffer(&gpu->gl, GL_ARRAY_BUFFER, stream->buffer, set->vertex_count * size, NULL,
+		GL_STREAM_DRAW);
+	for (size_t first = 0, last; first < set->part_count; first = last + 1) {
+		last = find_run(set, first, &reach, &touches);
+		const struct fin_part *end = &set->parts[last];
+		size_t start = set->parts[first].first, count = end->first + end->count - start;
+		if (!touches || count == 0)
+			continue;
+		gpu->gl.BufferSubData(GL_ARRAY_BUFFER, (GLintptr)(used * size),
+			(GLsizeiptr)(count * size), set->vertices + start);
+		used += count;
+	}
+	stream->quads = used / 4;
+	gpu->stats.fin_vertices += used;
+	gpu->stats.uploaded_bytes += used * size;
 }
 
 float fin_stream_spread(const struct light_frame *frame, GLsizei map_size)
@@ -102,8 +215,8 @@ float fin_stream_spread(const struct light_frame *frame, GLsizei map_size)
 
 bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, struct sm_error *error)
 {
-	if (stream->set.vertex_count == 0)
+	if (stream->quads == 0)
 		return true;
 	gpu->gl.BindVertexArray(stream->array);
-	return gpu_draw_quads(gpu, stream->set.vertex_count / 4, error);
+	return gpu_draw_quads(gpu, stream->quads, error);
 }

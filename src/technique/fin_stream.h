@@ -3,35 +3,54 @@
 #define TECHNIQUE_FIN_STREAM_H
 
 #include "geom/screen_grid.h"
-#include "gles/target.h"
 #include "scene/fin_set.h"
-#include "technique/technique.h"
+#include "technique/depth_map.h"
 
-/** The fins of one light: found on the processor each frame, and drawn from one buffer. */
+/** The fins of one light: found on the processor, where objects have changed, and drawn from one
+ *  buffer, which holds those that are to be drawn again. */
 struct fin_stream {
 	GLuint array, buffer;
 	struct fin_set set;
-	struct screen_grid grid; /* where surfaces that look them up may be */
+	size_t quads;                  /* in the buffer */
+	struct object_watch receivers; /* of those that only receive */
+	uint64_t drawn_flags;          /* of the program that they were prepared for last */
+	struct screen_grid grid;       /* where surfaces that look them up may be */
+	struct screen_grid *grids;     /* the same of each object; owned */
+	size_t grid_capacity;
 };
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu);
 /** Fine on a zeroed one. */
 void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu);
 
-/** Finds the silhouettes of all casters, builds their fins and uploads them. map_size: texels a
- *  side that they are drawn over. */
-bool fin_stream_update(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct fin_shape *shape, GLsizei map_size,
-	struct sm_error *error);
+void fin_stream_list_memory(const struct fin_stream *stream, const struct memory_list *list);
 
-/** Texels of the cells that fins are in. */
-struct target_area fin_stream_area(const struct fin_stream *stream, GLsizei map_size);
+/** What fins are drawn with: of a technique's state. */
+struct fin_maps {
+	struct depth_map *casters;
+	struct depth_map *receivers; /* of objects that only receive: made when there are any; holds
+					them until another light is prepared */
+};
+
+/**
+ * Draws the maps and finds the fins, where objects have changed.
+ *
+ * flags: of the fins' program; FLAG_RECEIVER_MAP is added where it is to look that map up. part:
+ * set to where on the light's screen fins would come out otherwise than when they were drawn last.
+ */
+bool fin_stream_prepare(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct fin_shape *shape, const struct fin_maps *maps,
+	uint64_t *flags, struct screen_box *part, struct sm_error *error);
+
+/** Uploads the fins that touch a part of a target's screen, in the order of objects. */
+void fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct target *target,
+	const struct screen_box *part);
 
 /** Half the width of a penumbra, in texels, over the difference of blocker and receiver in window
  *  depth: for a spot R (1/b - 1/r) is proportional to that as well. */
 float fin_stream_spread(const struct light_frame *frame, GLsizei map_size);
 
-/** Draws the fins with the program in use; nothing when there are none. */
+/** Draws the uploaded fins with the program in use; nothing when there are none. */
 bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, struct sm_error *error);
 
 #endif

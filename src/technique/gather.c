@@ -325,7 +325,7 @@ static bool gather_prepare(void *state, struct gpu *gpu, const struct sm_scene *
 		depth_map_finish(&gather->hard, gpu);
 		return false;
 	}
-	return depth_map_draw(&gather->hard, gpu, scene, frame, DEPTH_OF_CASTERS, error);
+	return depth_map_draw(&gather->hard, gpu, scene, frame, error);
 }
 
 static uint64_t gather_surface_flags(const void *state)
@@ -392,6 +392,7 @@ static void gather_list_memory(const void *state, const struct memory_list *list
 	const struct edge_grid *grid = &gather->grid;
 	size_t chains = edge_chains_bytes(&grid->chains);
 	size_t depths = tile_depths_bytes(&grid->depths), cover = edge_cover_bytes(&grid->cover);
+	depth_map_list_memory(&gather->hard, list);
 	memory_list_processor(list, "silhouettes: chains", chains);
 	memory_list_processor(list, "tiles: depths", depths);
 	memory_list_processor(list, "tiles: reach of edges", cover);

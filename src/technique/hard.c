@@ -22,13 +22,19 @@ static bool hard_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct hard *hard = state;
-	return depth_map_draw(&hard->map, gpu, scene, frame, DEPTH_OF_CASTERS, error);
+	return depth_map_draw(&hard->map, gpu, scene, frame, error);
 }
 
 static uint64_t hard_surface_flags(const void *state)
 {
 	(void)state;
 	return FLAG_HARD;
+}
+
+static void hard_list_memory(const void *state, const struct memory_list *list)
+{
+	const struct hard *hard = state;
+	depth_map_list_memory(&hard->map, list);
 }
 
 static void hard_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -46,5 +52,6 @@ const struct technique technique_hard = {
 	.finish = hard_finish,
 	.prepare = hard_prepare,
 	.surface_flags = hard_surface_flags,
+	.list_memory = hard_list_memory,
 	.bind = hard_bind,
 };

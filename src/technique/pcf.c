@@ -33,7 +33,7 @@ static bool pcf_prepare(void *state, struct gpu *gpu, const struct sm_scene *sce
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct pcf *pcf = state;
-	return depth_map_draw(&pcf->map, gpu, scene, frame, DEPTH_OF_CASTERS, error);
+	return depth_map_draw(&pcf->map, gpu, scene, frame, error);
 }
 
 static uint64_t pcf_surface_flags(const void *state)
@@ -48,6 +48,12 @@ static float pcf_reach(const void *state, const struct light_frame *frame)
 	(void)frame;
 	const struct pcf *pcf = state;
 	return pcf->surface_flags & FLAG_BICUBIC ? 2.0f / (float)pcf->map.target.size : 0.0f;
+}
+
+static void pcf_list_memory(const void *state, const struct memory_list *list)
+{
+	const struct pcf *pcf = state;
+	depth_map_list_memory(&pcf->map, list);
 }
 
 static void pcf_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -68,5 +74,6 @@ const struct technique technique_pcf = {
 	.prepare = pcf_prepare,
 	.surface_flags = pcf_surface_flags,
 	.reach = pcf_reach,
+	.list_memory = pcf_list_memory,
 	.bind = pcf_bind,
 };

@@ -31,7 +31,7 @@ static bool pcss_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct pcss *pcss = state;
-	return depth_map_draw(&pcss->map, gpu, scene, frame, DEPTH_OF_CASTERS, error);
+	return depth_map_draw(&pcss->map, gpu, scene, frame, error);
 }
 
 static uint64_t pcss_surface_flags(const void *state)
@@ -46,6 +46,12 @@ static float pcss_reach(const void *state, const struct light_frame *frame)
 	(void)state;
 	float corner = frame->parallel ? 0.0f : 2.0f * frame->half_extent * frame->half_extent;
 	return 2.0f * disc_scale(frame) * sqrtf(1.0f + corner);
+}
+
+static void pcss_list_memory(const void *state, const struct memory_list *list)
+{
+	const struct pcss *pcss = state;
+	depth_map_list_memory(&pcss->map, list);
 }
 
 static void pcss_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -67,5 +73,6 @@ const struct technique technique_pcss = {
 	.prepare = pcss_prepare,
 	.surface_flags = pcss_surface_flags,
 	.reach = pcss_reach,
+	.list_memory = pcss_list_memory,
 	.bind = pcss_bind,
 };

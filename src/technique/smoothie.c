@@ -94,35 +94,36 @@ static bool draw_fins(struct smoothie *smoothie, struct gpu *gpu, const struct l
 	return fin_stream_draw(&smoothie->fins, gpu, error);
 }
 
-/* Draws fins into a cleared depth texture: the least is kept. */
+/* Draws fins into a part of a depth texture, which is cleared: the least is kept. */
 static bool draw_by_depth_test(struct smoothie *smoothie, struct gpu *gpu,
-	const struct light_frame *frame, const struct target *target, uint64_t flags,
-	struct sm_error *error)
+	const struct light_frame *frame, const struct target *target, const struct screen_box *part,
+	uint64_t flags, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	target_bind(target, gl);
-	gl->Disable(GL_SCISSOR_TEST);
+	target_restrict_clear(target, part, gl);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	gl->DepthMask(GL_TRUE);
 	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
-	target_restrict(target_inside(target), gl);
+	target_restrict(target_part(target, part), gl);
 	return draw_fins(smoothie, gpu, frame, flags, error);
 }
 
 static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
-	const struct light_frame *frame, uint64_t flags, struct sm_error *error)
+	const struct light_frame *frame, const struct screen_box *part, uint64_t flags,
+	struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	static const GLfloat lit[4] = {1.0f, 1.0f, 1.0f, 1.0f};
 	target_bind(&smoothie->buffer, gl);
-	gl->Disable(GL_SCISSOR_TEST);
+	target_restrict_clear(&smoothie->buffer, part, gl);
 	gl->Disable(GL_DEPTH_TEST);
 	gl->ClearBufferfv(GL_COLOR, 0, lit);
 	if (smoothie->way != SMOOTHIE_FETCH)
 		gl->Enable(GL_BLEND);
 	gl->BlendEquation(GL_MIN);
-	target_restrict(target_inside(&smoothie->buffer), gl);
+	target_restrict(target_part(&smoothie->buffer, part), gl);
 	bool drawn = draw_fins(smoothie, gpu, frame, flags, error);
 	gl->BlendEquation(GL_FUNC_ADD);
 	gl->Disable(GL_BLEND);
@@ -131,43 +132,41 @@ static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
 
 /* flags: of PROGRAM_FIN. */
 static bool draw_buffer(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
-	uint64_t flags, struct sm_error *error)
+	const struct screen_box *part, uint64_t flags, struct sm_error *error)
 {
 	uint64_t depth_flags = (flags & ~FLAG_CONE) | FLAG_DEPTH_ONLY;
 	uint64_t alpha_flags = flags | smoothie->alpha_flags;
-	if (smoothie->two_passes &&
-		!draw_by_depth_test(smoothie, gpu, frame, &smoothie->depth, depth_flags, error))
+	fin_stream_upload(&smoothie->fins, gpu, &smoothie->buffer, part);
+	if (smoothie->two_passes && !draw_by_depth_test(smoothie, gpu, frame, &smoothie->depth,
+					    part, depth_flags, error))
 		return false;
 	return smoothie->way == SMOOTHIE_DEPTH_TEST
 		       ? draw_by_depth_test(
-				 smoothie, gpu, frame, &smoothie->buffer, alpha_flags, error)
-		       : draw_minimum(smoothie, gpu, frame, alpha_flags, error);
+				 smoothie, gpu, frame, &smoothie->buffer, part, alpha_flags, error)
+		       : draw_minimum(smoothie, gpu, frame, part, alpha_flags, error);
 }
 
 bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct smoothie *smoothie = state;
+	const struct fin_maps maps = {&smoothie->casters, &smoothie->receivers};
 	uint64_t flags = smoothie->fin_flags;
-	GLsizei size = smoothie->casters.target.size;
-	if (!depth_map_draw(&smoothie->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
-		!fin_stream_update(
-			&smoothie->fins, gpu, scene, frame, &smoothie->shape, size, error))
+	struct screen_box part;
+	if (!fin_stream_prepare(&smoothie->fins, gpu, scene, frame, &smoothie->shape, &maps, &flags,
+		    &part, error))
 		return false;
-	if (smoothie->fins.set.vertex_count > 0 &&
-		depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
-		flags |= FLAG_RECEIVER_MAP;
-		if (!depth_map_draw_receivers(&smoothie->receivers, gpu, scene, frame, size,
-			    fin_stream_area(&smoothie->fins, size), error))
-			return false;
-	}
+	if (screen_box_is_none(&part))
+		return true;
 	gl_push_group(&gpu->gl, "smoothies");
 	gpu_bind_texture(gpu, UNIT_DEPTH, depth_map_plain_texture(&smoothie->casters));
 	gpu_bind_texture(gpu, UNIT_RECEIVER, depth_map_plain_texture(&smoothie->receivers));
 	gpu_bind_texture(gpu, UNIT_FALLOFF, smoothie->falloff);
-	bool drawn = draw_buffer(smoothie, gpu, frame, flags, error);
+	bool drawn = draw_buffer(smoothie, gpu, frame, &part, flags, error);
 	gpu->gl.Disable(GL_SCISSOR_TEST);
 	gl_pop_group(&gpu->gl);
+	if (!drawn)
+		depth_map_forget(&smoothie->casters);
 	return drawn;
 }
 
@@ -186,7 +185,8 @@ const struct screen_grid *smoothie_soft_grid(const void *state)
 void smoothie_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct smoothie *smoothie = state;
-	fin_set_list_memory(&smoothie->fins.set, list);
+	fin_stream_list_memory(&smoothie->fins, list);
+	depth_map_list_memory(&smoothie->casters, list);
 }
 
 void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,

@@ -52,19 +52,20 @@ static void two_sided_finish(void *state, struct gpu *gpu)
 	depth_map_finish(&two_sided->casters, gpu);
 }
 
-static void clear_buffer(const struct two_sided *two_sided, struct gl *gl)
+static void clear_buffer(
+	const struct two_sided *two_sided, struct gl *gl, const struct screen_box *part)
 {
 	/* An edge at depth 1, behind which nothing is: its bits as a float. */
 	static const GLuint none[4] = {0, 0x3f800000, 0, 0};
 	target_bind(&two_sided->buffer, gl);
-	gl->Disable(GL_SCISSOR_TEST);
+	target_restrict_clear(&two_sided->buffer, part, gl);
 	gl->DepthMask(GL_TRUE);
 	gl->ClearBufferuiv(GL_COLOR, 0, none);
 	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
 }
 
 static bool draw_fins(struct two_sided *two_sided, struct gpu *gpu, const struct light_frame *frame,
-	uint64_t flags, struct sm_error *error)
+	const struct screen_box *part, uint64_t flags, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	struct program_key key = {.kind = PROGRAM_TWO_SIDED_FIN, .flags = flags};
@@ -77,7 +78,7 @@ static bool draw_fins(struct two_sided *two_sided, struct gpu *gpu, const struct
 	gl->Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
-	target_restrict(target_inside(&two_sided->buffer), gl);
+	target_restrict(target_part(&two_sided->buffer, part), gl);
 	bool drawn = fin_stream_draw(&two_sided->fins, gpu, error);
 	gl->Disable(GL_SCISSOR_TEST);
 	return drawn;
@@ -87,24 +88,23 @@ static bool two_sided_prepare(void *state, struct gpu *gpu, const struct sm_scen
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct two_sided *two_sided = state;
-	GLsizei size = two_sided->casters.target.size;
+	const struct fin_maps maps = {&two_sided->casters, &two_sided->receivers};
 	uint64_t flags = two_sided->plain_flags;
-	if (!depth_map_draw(&two_sided->casters, gpu, scene, frame, DEPTH_OF_CASTERS, error) ||
-		!fin_stream_update(&two_sided->fins, gpu, scene, frame, &fin_shape, size, error))
+	struct screen_box part;
+	if (!fin_stream_prepare(
+		    &two_sided->fins, gpu, scene, frame, &fin_shape, &maps, &flags, &part, error))
 		return false;
-	if (two_sided->fins.set.vertex_count > 0 &&
-		depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY)) {
-		flags |= FLAG_RECEIVER_MAP;
-		if (!depth_map_draw_receivers(&two_sided->receivers, gpu, scene, frame, size,
-			    fin_stream_area(&two_sided->fins, size), error))
-			return false;
-	}
+	if (screen_box_is_none(&part))
+		return true;
 	gl_push_group(&gpu->gl, "smoothies");
 	gpu_bind_texture(gpu, UNIT_DEPTH, depth_map_plain_texture(&two_sided->casters));
 	gpu_bind_texture(gpu, UNIT_RECEIVER, depth_map_plain_texture(&two_sided->receivers));
-	clear_buffer(two_sided, &gpu->gl);
-	bool drawn = draw_fins(two_sided, gpu, frame, flags, error);
+	fin_stream_upload(&two_sided->fins, gpu, &two_sided->buffer, &part);
+	clear_buffer(two_sided, &gpu->gl, &part);
+	bool drawn = draw_fins(two_sided, gpu, frame, &part, flags, error);
 	gl_pop_group(&gpu->gl);
+	if (!drawn)
+		depth_map_forget(&two_sided->casters);
 	return drawn;
 }
 
@@ -123,7 +123,8 @@ static const struct screen_grid *two_sided_soft_grid(const void *state)
 static void two_sided_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct two_sided *two_sided = state;
-	fin_set_list_memory(&two_sided->fins.set, list);
+	fin_stream_list_memory(&two_sided->fins, list);
+	depth_map_list_memory(&two_sided->casters, list);
 }
 
 static void two_sided_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,

@@ -17,6 +17,8 @@
 
 #define SCENES 40
 #define FRAMES 25 /* of a scene */
+#define MOVES 60  /* of casters, one after the other, with each technique */
+#define CROWD 12  /* of which one moves */
 #define WIDTH 96
 #define HEIGHT 64
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
@@ -30,7 +32,7 @@ static const struct sm_shadow_options choices[] = {
 	{.technique = "hard", .map_size = 128},
 	{.technique = "pcf", .map_size = 128},
 	{.technique = "pcss", .map_size = 64},
-	{.technique = "vsm", .map_size = 128},
+	{.technique = "vsm", .map_size = 128, .samples = 9},
 	{.technique = "maps", .map_size = 64, .samples = 4},
 	{.technique = "gather", .map_size = 128},
 	{.technique = "gather", .map_size = 128, .sampling = SM_SAMPLING_SPARSE},
@@ -124,12 +126,17 @@ static void add_object(struct run *run)
 	run->objects++;
 }
 
-static void move_object(struct run *run)
+static void move_object(struct run *run, uint32_t object, const struct pose *pose)
 {
 	float transform[16];
+	pose_matrix(pose, transform);
+	assert_true(sm_scene_set_transform(run->scene, object, transform, NULL));
+}
+
+static void move_any(struct run *run)
+{
 	struct pose pose = random_pose(run);
-	pose_matrix(&pose, transform);
-	assert_true(sm_scene_set_transform(run->scene, below(run, run->objects), transform, NULL));
+	move_object(run, below(run, run->objects), &pose);
 }
 
 /* Another block, of the same mesh. */
@@ -189,15 +196,19 @@ static void change_camera(struct run *run)
 		run->camera.near = 0.1f, run->camera.far = 1000.0f;
 }
 
-static void set_shadows(struct run *run)
+static void use_shadows(struct run *run, const struct sm_shadow_options *options)
 {
-	const struct sm_shadow_options *options = &choices[below(run, COUNT(choices))];
 	struct sm_error error;
 	if (!rig_can_draw(options->technique))
 		return;
 	if (!sm_renderer_set_shadows(run->skipping, options, &error) ||
 		!sm_renderer_set_shadows(run->thorough, options, &error))
 		fail_msg("%s", error.text);
+}
+
+static void set_shadows(struct run *run)
+{
+	use_shadows(run, &choices[below(run, COUNT(choices))]);
 }
 
 static void set_environment(struct run *run)
@@ -239,7 +250,7 @@ static void change(struct run *run)
 	if (what < 30)
 		change_camera(run);
 	else if (what < 50)
-		move_object(run);
+		move_any(run);
 	else if (what < 65)
 		change_light(run);
 	else if (what < 70)
@@ -310,6 +321,66 @@ static void play(struct run *run, uint32_t scene)
 	sm_scene_destroy(run->scene);
 }
 
+/* What the lights see is bounded by objects that stay, so that it stays what it is: a floor and
+ * blocks above the crowd's corners. */
+static void make_still_scene(struct run *run)
+{
+	make_scene(run);
+	for (int i = 0; i < 4; i++) {
+		parts_add_object(run->scene, run->meshes[0], PART_BOTH,
+			&(struct pose){.scale = {0.2f, 0.2f, 0.2f},
+				.position = {i & 1 ? 1.3f : -1.3f, 2.8f, i & 2 ? 1.3f : -1.3f}});
+		run->objects++;
+	}
+	for (uint32_t i = 0; i < run->lights; i++) {
+		run->light[i] = random_light(run);
+		run->light[i].position[0] = between(run, -1, 1);
+		run->light[i].position[1] = 6;
+		run->light[i].position[2] = between(run, -1, 1);
+		memset(run->light[i].target, 0, sizeof(run->light[i].target));
+		run->light[i].radius = between(run, 0.2f, 0.8f);
+		run->light[i].angle = 45;
+		run->light[i].intensity = 1;
+		assert_true(sm_scene_set_light(run->scene, i, &run->light[i], NULL));
+	}
+}
+
+/* In a crowd, where what one throws falls on others, and none goes far. */
+static struct pose crowd_pose(struct run *run, uint32_t place)
+{
+	float size = between(run, 0.1f, 0.4f);
+	return (struct pose){
+		.scale = {size, between(run, 0.1f, 0.3f), size},
+		.turn = between(run, 0, 360),
+		.position = {0.7f * (float)(place % 4) - 1 + between(run, -0.2f, 0.2f),
+			between(run, 0.2f, 2),
+			0.7f * (float)(place / 4) - 0.7f + between(run, -0.2f, 0.2f)},
+	};
+}
+
+static void play_moves(struct run *run, const struct sm_shadow_options *options)
+{
+	make_still_scene(run);
+	run->camera = (struct sm_camera){
+		.eye = {1, 4, 3}, .target = {0, 0.5f, 0}, .up = {0, 1, 0}, .fov = 60};
+	for (uint32_t i = 0; i < CROWD; i++) {
+		struct pose pose = crowd_pose(run, i);
+		parts_add_object(
+			run->scene, run->meshes[below(run, 4)], 1 + below(run, PART_BOTH), &pose);
+	}
+	init_canvases(run, 0);
+	use_shadows(run, options);
+	for (uint32_t frame = 0; frame < MOVES; frame++) {
+		uint32_t place = below(run, CROWD);
+		struct pose pose = crowd_pose(run, place);
+		draw_by_both(run, SCENES + (uint32_t)(options - choices), frame);
+		move_object(run, run->objects + place, &pose);
+	}
+	canvas_finish(&run->canvases[0]);
+	canvas_finish(&run->canvases[1]);
+	sm_scene_destroy(run->scene);
+}
+
 /* A skip that never happens, or always does, has not been tested. */
 static void check_counts(const struct run *run)
 {
@@ -334,6 +405,8 @@ static void skips_do_not_show(void **state)
 	assert_true(sm_renderer_set_skips(run.thorough, "-all", NULL));
 	for (uint32_t scene = 0; scene < SCENES; scene++)
 		play(&run, scene);
+	for (size_t i = 0; i < COUNT(choices); i++)
+		play_moves(&run, &choices[i]);
 	check_counts(&run);
 	sm_renderer_destroy(run.skipping);
 }

@@ -114,9 +114,9 @@ static void test_a_moving_camera_draws_surfaces_alone(void **state)
 		sm_renderer_get_stats(rig->renderer, &stats);
 		assert_int_equal(stats.uploaded_bytes, 0);
 		assert_int_equal(stats.lights, 1);
-		assert_true(sm_renderer_set_skips(rig->renderer, "-light", NULL));
+		assert_true(sm_renderer_set_skips(rig->renderer, "-light,-static", NULL));
 		assert_true(draw_observed(rig, &view).others > 0);
-		assert_true(sm_renderer_set_skips(rig->renderer, "+light", NULL));
+		assert_true(sm_renderer_set_skips(rig->renderer, "+light,+static", NULL));
 	}
 	canvas_finish(&canvas);
 }

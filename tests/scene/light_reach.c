@@ -181,8 +181,8 @@ static void test_nothing_that_misses_a_screen_is_on_it(void **unused)
 			point_of(object, point);
 			there = there || is_on_screen(world_to_clip, point);
 		}
-		bool missing =
-			mesh_misses_screen(&scene->meshes[0], object->transform, world_to_clip, 0, true);
+		bool missing = mesh_misses_screen(
+			&scene->meshes[0], object->transform, world_to_clip, 0, true);
 		assert_false(there && missing);
 		misses += missing;
 		absent += !there;
@@ -190,6 +190,40 @@ static void test_nothing_that_misses_a_screen_is_on_it(void **unused)
 	}
 	print_message("%d of %d are absent, found of %d\n", absent, ROUNDS, misses);
 	assert_true(absent > ROUNDS / 10 && misses > absent * 3 / 4 && misses < ROUNDS);
+}
+
+static bool is_in_screen_box(const struct screen_box *box, mat4 world_to_clip, vec3 point)
+{
+	vec4 p = {point[0], point[1], point[2], 1};
+	glm_mat4_mulv(world_to_clip, p, p);
+	return p[0] / p[3] >= box->min[0] && p[0] / p[3] <= box->max[0] &&
+	       p[1] / p[3] >= box->min[1] && p[1] / p[3] <= box->max[1];
+}
+
+static void test_what_a_screen_shows_is_in_its_box(void **unused)
+{
+	(void)unused;
+	int whole = 0, inside = 0;
+	state = 0x2718281;
+	for (int round = 0; round < ROUNDS; round++) {
+		struct sm_scene *scene = random_scene();
+		struct object *object = &scene->objects[1];
+		struct screen_box box;
+		mat4 world_to_clip;
+		random_view(scene, world_to_clip);
+		mesh_screen_box(&scene->meshes[0], object->transform, world_to_clip, &box);
+		for (int i = 0; i < POINTS; i++) {
+			vec3 point;
+			point_of(object, point);
+			if (is_on_screen(world_to_clip, point))
+				assert_true(is_in_screen_box(&box, world_to_clip, point));
+		}
+		whole += screen_box_is_all(&box);
+		inside += box.max[0] < 1 && box.min[0] > -1;
+		sm_scene_destroy(scene);
+	}
+	print_message("%d of %d are all of the screen, %d inside\n", whole, ROUNDS, inside);
+	assert_true(whole > 0 && whole < ROUNDS / 2 && inside > ROUNDS / 20);
 }
 
 /* Whether the rectangle around a quad touches the screen. */
@@ -253,6 +287,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_no_point_is_brighter_than_the_bound),
 		cmocka_unit_test(test_nothing_that_misses_a_screen_is_on_it),
+		cmocka_unit_test(test_what_a_screen_shows_is_in_its_box),
 		cmocka_unit_test(test_fins_on_the_screen_are_all_there),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
