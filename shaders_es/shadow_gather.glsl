@@ -251,31 +251,33 @@ struct edge {
 };
 
 // The part of the disc behind an edge is that between the edge's ends less the triangle before it.
+// E is symmetric: (E a) u = a (E u), so that ends need not be faced.
 void add_edge(inout sums sum, edge edge, receiver r)
 {
-	vec2 a = faced(r, edge.a), b = faced(r, edge.b);
-	vec2 along = edge.before_a * b - edge.before_b * a;
+	vec2 along = faced(r, edge.before_a * edge.b - edge.before_b * edge.a);
 	// Edges that are hit have a length.
-	float length = max(sqrt(dot(along, along)), 1e-30);
-	vec2 u = along / length;
-	float h = abs(edge.side) * r.shrink / max(disc_scale * length, 1e-30);
+	float shorten = inversesqrt(max(dot(along, along), 1e-37));
+	vec2 u = along * shorten, seen = faced(r, u);
+	float h = abs(edge.side) * r.shrink * shorten / max(disc_scale, 1e-30);
 	float half_chord = sqrt(max(1.0 - h * h, 0.0));
 	// Ends in the receiver's plane are infinitely far off.
-	float t0 = dot(a, u) / max(disc_scale * edge.before_a, 1e-30);
-	float t1 = dot(b, u) / max(disc_scale * edge.before_b, 1e-30);
+	float t0 = dot(edge.a, seen) / max(disc_scale * edge.before_a, 1e-30);
+	float t1 = dot(edge.b, seen) / max(disc_scale * edge.before_b, 1e-30);
 	t0 = edge.before_a > 0.0 ? max(t0, -half_chord) : -half_chord;
 	t1 = edge.before_b > 0.0 ? min(t1, half_chord) : half_chord;
-	if (h >= 1.0 || t0 >= t1)
-		return;
+	bool before = h < 1.0 && t0 < t1;
 	float sign = edge.side >= 0.0 ? 1.0 : -1.0;
 	float low = right_angle_of(t0, h), high = right_angle_of(t1, h);
-	sum.behind += edge.sheets * sign * (high - low - (t1 - t0) * h);
+	float share = edge.sheets * sign * (high - low - (t1 - t0) * h);
+	sum.behind += before ? share : 0.0;
 	float foot = angle_of(sign * vec2(u.y, -u.x));
 	uvec2 mask = beyond(foot, h);
-	mask &= sign > 0.0 ? sector(foot + low, foot + high) : sector(foot - high, foot - low);
+	vec2 ends = sign > 0.0 ? vec2(low, high) : vec2(-high, -low);
+	mask &= sector(foot + ends.x, foot + ends.y);
+	mask = before ? mask : uvec2(0u);
 	uvec2 two = edge.sheets > 1.0 ? mask : uvec2(0u);
 	count(sum.seen, mask ^ two, two, sign > 0.0 ? ~0u : 0u);
-	sum.hits++;
+	sum.hits += int(before);
 }
 
 // Whether an edge leads from its end v outside the disc farther away, so that none of it is before
@@ -350,13 +352,16 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 			turn = int(edge.side >= 0.0) - int(has_origin(edge, side_origin));
 			turn = !begins && (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
 #ifdef POINTS
-			narrow_penumbra = narrow_penumbra || !begins && is_narrow(edge, r);
+			bool narrow = is_narrow(edge, r);
+			narrow_penumbra = narrow_penumbra || (narrow && !begins);
 #endif
 			vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
+			// Compilers make a branch of a call behind &&.
+			bool away_a = leads_away(edge.a, edge.before_a, along, most);
+			bool away_b = leads_away(edge.b, edge.before_b, -along, most);
 			hit = !begins && max(edge.before_a, edge.before_b) > 0.0 &&
-				edge.side * edge.side < most * dot(along, along) &&
-				!leads_away(edge.a, edge.before_a, along, most) &&
-				!leads_away(edge.b, edge.before_b, -along, most);
+				edge.side * edge.side < most * dot(along, along) && !away_a &&
+				!away_b;
 		}
 		float above_a = from.depth - depth_a + dot(from.slope, edge.a);
 		float above_b = from.depth - depth_b + dot(from.slope, edge.b);
