@@ -37,7 +37,8 @@ float cross_of(vec2 a, vec2 b)
 #ifdef POINTS
 // A penumbra at least this many times as wide, from its middle, as points are apart shows in them.
 const float WIDTH_SHOWN = 1.25;
-// Where this many edges meet, what samples of the disc miss would show as blotches.
+// Where this many edges meet before a disc that is not all covered, what samples of it miss would
+// show as blotches.
 const int MOST_HITS = 64;
 // Whether visibility between the point and the next ones does not show in them.
 bool narrow_penumbra = false;
@@ -452,9 +453,6 @@ float gathered_visibility(receiver r)
 	sums sum = walk(r, from, first, any_before ? first + edges : first);
 	if (!inside)
 		return 1.0;
-#ifdef POINTS
-	narrow_penumbra = narrow_penumbra || sum.hits > MOST_HITS;
-#endif
 	sum.winding = max(sum.winding + (sum.own > 0 ? from.seen : from.winding), 0);
 	float covered = float(sum.winding) - sum.behind / TURN;
 	// Only edges leave a part of the disc.
@@ -463,6 +461,9 @@ float gathered_visibility(receiver r)
 			count(sum.seen, uvec2(~0u), uvec2(0u), 0u);
 		covered = covered_share(sum.seen, covered);
 	}
+#ifdef POINTS
+	narrow_penumbra = narrow_penumbra || sum.hits > MOST_HITS && covered < 1.0;
+#endif
 	return 1.0 - clamp(covered, 0.0, 1.0);
 }
 
