@@ -53,7 +53,7 @@ static const struct {
 /* One stage as GL sees it. */
 struct source {
 	size_t parts;
-	char text[32768];
+	char text[65536];
 };
 
 static void assemble(struct source *source, struct program_key key, enum shader_stage stage)
