@@ -381,12 +381,13 @@ static enum edge_lists_result make(
 {
 	/* A run has a vertex more than edges. */
 	lists->copy_count = lists->whole ? lists->entry_count + lists->run_count : 0;
-	if (!array_reserve((void **)&lists->vertices, &lists->vertex_capacity, lists->vertex_count,
-		    sizeof(*lists->vertices)) ||
-		!array_reserve((void **)&lists->runs, &lists->run_capacity, lists->run_count,
+	/* One more, so that an empty array is somewhere. */
+	if (!array_reserve((void **)&lists->vertices, &lists->vertex_capacity,
+		    lists->vertex_count + 1, sizeof(*lists->vertices)) ||
+		!array_reserve((void **)&lists->runs, &lists->run_capacity, lists->run_count + 1,
 			sizeof(*lists->runs)) ||
-		!array_reserve((void **)&lists->copies, &lists->copy_capacity, lists->copy_count,
-			sizeof(*lists->copies)))
+		!array_reserve((void **)&lists->copies, &lists->copy_capacity,
+			lists->copy_count + 1, sizeof(*lists->copies)))
 		return EDGE_LISTS_NO_MEMORY;
 	write_lists(lists, chains, tiles, screen);
 	sort_lists(lists, tiles);
