@@ -176,7 +176,9 @@ static void find_weights(struct pose *pose, const struct rig *rig, const struct 
 	size_t index, double seconds)
 {
 	const struct shape *shape = &rig->shapes[index];
-	memcpy(pose->weights, shape->weights, shape->target_count * sizeof(*pose->weights));
+	/* Of a shape without targets there are none. */
+	if (shape->target_count > 0)
+		memcpy(pose->weights, shape->weights, shape->target_count * sizeof(*pose->weights));
 	for (size_t i = 0; clip != NULL && i < clip->blend_count; i++)
 		if (clip->blends[i].shape == index)
 			sample(&clip->blends[i].weights, shape->target_count, seconds,
