@@ -126,6 +126,52 @@ static void what_is_found_later_is_the_same(void **state)
 	}
 }
 
+/* Two lights, each in a view of its own: the receivers of one view are drawn over in the other,
+ * while what was found of the light is kept. */
+static void what_was_found_goes_with_its_receivers(void **state)
+{
+	struct rig *rig = *state;
+	static const float places[] = {-20, 20};
+	static const int order[] = {0, 1, 0, 1};
+	uint32_t cube = parts_add_cube(rig->scene), square = parts_add_square(rig->scene);
+	uint8_t *first[2] = {NULL, NULL};
+	struct canvas canvas;
+	for (int i = 0; i < 2; i++) {
+		struct sm_light_desc spot = lamp;
+		spot.position[0] = places[i] + 1;
+		spot.target[0] = places[i];
+		parts_add_light(rig->scene, &spot);
+		parts_add_object(rig->scene, cube, PART_BOTH,
+			&(struct pose){
+				{0.3f, 0.3f, 0.3f}, 20, {places[i], 0.4f + 0.3f * (float)i, 0}});
+		parts_add_object(rig->scene, square, PART_RECEIVES,
+			&(struct pose){{2, 1, 2}, 0, {places[i], 0, 0}});
+	}
+	use(rig, SM_SAMPLING_DEFERRED);
+	canvas_init_multisampled(&canvas, GL_SRGB8_ALPHA8, WIDTH, HEIGHT, 4);
+	for (size_t i = 0; i < sizeof(order) / sizeof(order[0]); i++) {
+		struct sm_view view = {.camera = aside,
+			.width = WIDTH,
+			.height = HEIGHT,
+			.visibility_of = SM_NONE,
+			.framebuffer = canvas.framebuffer};
+		view.camera.eye[0] += places[order[i]];
+		view.camera.target[0] += places[order[i]];
+		rig_draw(rig, rig->scene, &view);
+		assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED), 1);
+		uint8_t *pixels = canvas_read(&canvas);
+		if (first[order[i]] == NULL) {
+			first[order[i]] = pixels;
+			continue;
+		}
+		assert_memory_equal(pixels, first[order[i]], (size_t)4 * WIDTH * HEIGHT);
+		free(pixels);
+	}
+	free(first[0]);
+	free(first[1]);
+	canvas_finish(&canvas);
+}
+
 static void many_small_triangles_are_deferred(void **state)
 {
 	struct rig *rig = *state;
@@ -279,6 +325,7 @@ int main(void)
 		rig_test(what_is_between_points_is_as_if_found),
 		rig_test(what_is_found_later_is_the_same),
 		rig_test(samples_of_a_pixel_find_their_surface),
+		rig_test(what_was_found_goes_with_its_receivers),
 		rig_test(many_small_triangles_are_deferred),
 		rig_test(pictures_may_be_of_any_size),
 		rig_test(a_point_has_nothing_between),
