@@ -2,6 +2,7 @@
 #include "scene/edge_chains.h"
 #include "base/array.h"
 #include <stdlib.h>
+#include <string.h>
 
 #define NONE UINT32_MAX
 
@@ -220,6 +221,19 @@ bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view,
 	walk.edges = chains->clip.edges;
 	walk.clipped = chains->clip.vertices;
 	return follow_all(&walk, chains->clip.edge_count, chains->clip.vertex_count);
+}
+
+bool edge_chains_keep(struct edge_chains *chains, const struct chain_point *points, size_t count,
+	size_t edge_count)
+{
+	if (!array_reserve((void **)&chains->points, &chains->point_capacity, chains->count + count,
+		    sizeof(*chains->points)))
+		return false;
+	if (count > 0)
+		memcpy(chains->points + chains->count, points, count * sizeof(*points));
+	chains->count += count;
+	chains->edge_count += edge_count;
+	return true;
 }
 
 void edge_chains_finish(struct edge_chains *chains)

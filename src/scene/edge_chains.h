@@ -62,6 +62,10 @@ bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
  *  side. False: out of memory. */
 bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view, uint32_t screen);
 
+/** Appends chains that were found before, of so many edges. False: out of memory. */
+bool edge_chains_keep(struct edge_chains *chains, const struct chain_point *points, size_t count,
+	size_t edge_count);
+
 void edge_chains_finish(struct edge_chains *chains);
 
 /** Of memory. */

@@ -13,42 +13,13 @@
 /* Of farthest, beyond a tile: texels of the map that a receiver in the tile may be looked up in. */
 #define CASTER_MARGIN_TEXELS 1.5f
 
-static bool add_caster(struct edge_grid *grid, const struct sm_scene *scene,
-	const struct object *object, const struct light_frame *frame,
-	const struct edge_grid_options *options)
+static struct edge_raster raster_of(const struct edge_grid_options *options)
 {
-	struct caster_view view;
-	float margin = CASTER_MARGIN_TEXELS * (float)options->tiles / (float)options->map_size;
-	return edge_chains_see(&grid->chains, scene, object, frame, &view) &&
-	       edge_chains_add(&grid->chains, &view, options->map_size << options->subpixel_bits) &&
-	       tile_depths_add_caster(&grid->depths, scene, object, &view, margin);
-}
-
-/* Those that cast as well, or those that do not. */
-static bool add_receivers(struct edge_grid *grid, const struct sm_scene *scene,
-	const struct light_frame *frame, bool casting)
-{
-	for (size_t i = 0; i < scene->object_count; i++) {
-		const struct object *object = &scene->objects[i];
-		if (object->receives && object->casts == casting &&
-			!tile_depths_add_receiver(&grid->depths, scene, object, frame))
-			return false;
-	}
-	return true;
-}
-
-static bool add_objects(struct edge_grid *grid, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct edge_grid_options *options)
-{
-	edge_chains_clear(&grid->chains);
-	if (!tile_depths_clear(&grid->depths, scene, options->tiles))
-		return false;
-	for (size_t i = 0; i < scene->object_count; i++)
-		if (scene->objects[i].casts &&
-			!add_caster(grid, scene, &scene->objects[i], frame, options))
-			return false;
-	/* What only receives is mostly ground, and casters before it are quickly done with. */
-	return add_receivers(grid, scene, frame, false) && add_receivers(grid, scene, frame, true);
+	return (struct edge_raster){
+		.tiles = options->tiles,
+		.screen = options->map_size << options->subpixel_bits,
+		.margin = CASTER_MARGIN_TEXELS * (float)options->tiles / (float)options->map_size,
+	};
 }
 
 /* With as many tiles as leave the lists short enough. */
@@ -63,8 +34,8 @@ static bool make_lists(struct edge_grid *grid, const struct light_frame *frame,
 			return false;
 		result = edge_lists_make(
 			&grid->lists, &grid->chains, &grid->cover, screen, options->room, fewest);
-		if (result == EDGE_LISTS_FULL)
-			tile_depths_halve(&grid->depths);
+		if (result == EDGE_LISTS_FULL && !tile_depths_halve(&grid->depths))
+			return false;
 	}
 	return result == EDGE_LISTS_MADE;
 }
@@ -91,16 +62,12 @@ static size_t fill_tiles(struct edge_grid *grid)
 	return filled;
 }
 
-bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
+static bool find(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct edge_grid_options *options)
 {
-	assert(options->tiles >= TILES_MIN && options->tiles <= EDGE_GRID_TILES_MAX &&
-		(options->tiles & (options->tiles - 1)) == 0 && options->room.runs < 1 << 24 &&
-		options->room.vertices < 1 << 24 && options->room.copies < 1 << 24);
-	uint32_t screen = options->map_size << options->subpixel_bits;
-	if (!add_objects(grid, scene, frame, options))
-		return false;
-	if (!make_lists(grid, frame, options, screen))
+	struct edge_raster raster = raster_of(options);
+	if (!edge_keep_find(&grid->keep, &grid->chains, &grid->depths, scene, frame, &raster) ||
+		!make_lists(grid, frame, options, raster.screen))
 		return false;
 	grid->tiles = grid->depths.tiles;
 	size_t tiles = (size_t)grid->tiles * grid->tiles;
@@ -108,7 +75,7 @@ bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 		!array_reserve((void **)&grid->winding, &grid->winding_capacity, tiles,
 			sizeof(*grid->winding)))
 		return false;
-	edge_winding_find(&grid->chains, screen, grid->tiles, grid->winding);
+	edge_winding_find(&grid->chains, raster.screen, grid->tiles, grid->winding);
 	size_t filled = fill_tiles(grid);
 	grid->whole = grid->lists.whole;
 	grid->vertices = grid->whole ? grid->lists.copies : grid->lists.vertices;
@@ -121,8 +88,26 @@ bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 	return true;
 }
 
+bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct edge_grid_options *options)
+{
+	assert(options->tiles >= TILES_MIN && options->tiles <= EDGE_GRID_TILES_MAX &&
+		(options->tiles & (options->tiles - 1)) == 0 && options->room.runs < 1 << 24 &&
+		options->room.vertices < 1 << 24 && options->room.copies < 1 << 24);
+	bool found = find(grid, scene, frame, options);
+	if (!found)
+		edge_grid_forget(grid);
+	return found;
+}
+
+void edge_grid_forget(struct edge_grid *grid)
+{
+	edge_keep_forget(&grid->keep);
+}
+
 void edge_grid_finish(struct edge_grid *grid)
 {
+	edge_keep_finish(&grid->keep);
 	edge_chains_finish(&grid->chains);
 	tile_depths_finish(&grid->depths);
 	edge_cover_finish(&grid->cover);
@@ -134,8 +119,8 @@ void edge_grid_finish(struct edge_grid *grid)
 
 size_t edge_grid_bytes(const struct edge_grid *grid)
 {
-	return edge_chains_bytes(&grid->chains) + tile_depths_bytes(&grid->depths) +
-	       edge_cover_bytes(&grid->cover) + edge_lists_bytes(&grid->lists) +
-	       grid->tile_capacity * sizeof(*grid->of) +
+	return edge_keep_bytes(&grid->keep) + edge_chains_bytes(&grid->chains) +
+	       tile_depths_bytes(&grid->depths) + edge_cover_bytes(&grid->cover) +
+	       edge_lists_bytes(&grid->lists) + grid->tile_capacity * sizeof(*grid->of) +
 	       grid->winding_capacity * sizeof(*grid->winding);
 }

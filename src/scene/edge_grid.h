@@ -2,6 +2,7 @@
 #ifndef SCENE_EDGE_GRID_H
 #define SCENE_EDGE_GRID_H
 
+#include "scene/edge_keep.h"
 #include "scene/edge_lists.h"
 
 /** What receivers in a tile of the light's screen need; RGBA32UI. */
@@ -37,8 +38,8 @@ struct edge_grid_options {
  * Silhouette edges of all casters, listed per tile of a light's screen. A tile's list has every
  * edge within 1.5 texels of the map from the tile, and every edge whose penumbra can reach a
  * receiver in the tile that is farther from a spot than four thirds of its radius; none where no
- * receiver is. Zero is empty; memory is kept from one
- * search to the next.
+ * receiver is. Zero is empty; memory is kept from one search to the next, and so are the edges of
+ * casters that have not changed.
  */
 struct edge_grid {
 	uint32_t tiles;       /* a side */
@@ -51,6 +52,7 @@ struct edge_grid {
 	size_t dropped;    /* entries of lists that there was no room for */
 	float mean_list;   /* edges in a list that has any */
 	/* Working memory; owned */
+	struct edge_keep keep;
 	struct edge_chains chains;
 	struct tile_depths depths;
 	struct edge_cover cover;
@@ -86,6 +88,9 @@ static inline struct edge_stretch edge_tile_stretch(
  *  is finite. False: out of memory. */
 bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct edge_grid_options *options);
+
+/** Has the next search keep nothing of what it found for objects that have not changed. */
+void edge_grid_forget(struct edge_grid *grid);
 
 void edge_grid_finish(struct edge_grid *grid);
 

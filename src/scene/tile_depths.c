@@ -2,6 +2,7 @@
 #include "scene/tile_depths.h"
 #include "base/array.h"
 #include "scene/tile_fill.h"
+#include <math.h>
 #include <stdlib.h>
 
 /* Meshes of up to so many triangles are gone through one by one. */
@@ -34,21 +35,67 @@ static bool reserve_meshes(struct tile_depths *depths, const struct sm_scene *sc
 	return true;
 }
 
-bool tile_depths_clear(struct tile_depths *depths, const struct sm_scene *scene, uint32_t tiles)
+static bool reserve_values(struct tile_values *values, uint32_t tiles)
 {
-	size_t count = (size_t)tiles * tiles;
-	if (!array_reserve((void **)&depths->deepest, &depths->deepest_capacity, count,
-		    sizeof(*depths->deepest)) ||
-		!array_reserve((void **)&depths->farthest, &depths->farthest_capacity, count,
-			sizeof(*depths->farthest)) ||
+	return array_reserve((void **)&values->of, &values->capacity, (size_t)tiles * tiles,
+		sizeof(*values->of));
+}
+
+static void show(struct tile_depths *depths, uint32_t tiles, const struct tile_values *received,
+	const struct tile_values *cast)
+{
+	depths->tiles = tiles;
+	depths->deepest = received->of;
+	depths->farthest = cast->of;
+}
+
+bool tile_depths_reserve(struct tile_depths *depths, const struct sm_scene *scene, uint32_t tiles)
+{
+	if (!reserve_values(&depths->received, tiles) || !reserve_values(&depths->cast, tiles) ||
 		!reserve_meshes(depths, scene))
 		return false;
-	depths->tiles = tiles;
-	for (size_t i = 0; i < count; i++) {
-		depths->deepest[i] = -1.0f;
-		depths->farthest[i] = 0.0f;
-	}
+	show(depths, tiles, &depths->received, &depths->cast);
 	return true;
+}
+
+/* First tile, and the one past the last, that a range of NDC touches. */
+static void find_tiles(uint32_t tiles, float min, float max, uint32_t *first, uint32_t *end)
+{
+	float half = 0.5f * (float)tiles, most = (float)tiles;
+	float from = fmaxf(floorf(half * min + half), 0.0f);
+	float past = fminf(floorf(half * max + half) + 1.0f, most);
+	*first = from < past ? (uint32_t)from : 0;
+	*end = from < past ? (uint32_t)past : 0;
+}
+
+/* What the tiles of a thing are rounded by, tiles; more than enough. */
+#define ROUNDING 0.5f
+
+static struct screen_box clear_part(
+	uint32_t tiles, float *values, float none, const struct screen_box *part, float margin)
+{
+	float tile = 2.0f / (float)tiles, reach = (margin + ROUNDING) * tile;
+	struct screen_box within = screen_box_widened(part, reach);
+	uint32_t first[2], end[2];
+	for (int axis = 0; axis < 2; axis++)
+		find_tiles(tiles, within.min[axis], within.max[axis], &first[axis], &end[axis]);
+	for (uint32_t y = first[1]; y < end[1]; y++)
+		for (uint32_t x = first[0]; x < end[0]; x++)
+			values[(size_t)y * tiles + x] = none;
+	/* The tiles have parts beside the box, and what is beside them reaches into them. */
+	return screen_box_widened(&within, tile + reach);
+}
+
+struct screen_box tile_depths_clear_receivers(
+	struct tile_depths *depths, const struct screen_box *part)
+{
+	return clear_part(depths->tiles, depths->received.of, -1.0f, part, RECEIVER_MARGIN);
+}
+
+struct screen_box tile_depths_clear_casters(
+	struct tile_depths *depths, const struct screen_box *part, float margin)
+{
+	return clear_part(depths->tiles, depths->cast.of, 0.0f, part, margin);
 }
 
 /* Triangles of either kind of mesh. */
@@ -121,7 +168,7 @@ bool tile_depths_add_receiver(struct tile_depths *depths, const struct sm_scene 
 	const struct mesh *mesh = &scene->meshes[object->mesh];
 	struct triangles triangles = {mesh->vertex_count, (const float(*)[3])mesh->positions,
 		mesh->index_count / 3, mesh->indices, mesh->version};
-	struct tile_fill fill = {depths->deepest, depths->tiles, RECEIVER_MARGIN};
+	struct tile_fill fill = {depths->received.of, depths->tiles, RECEIVER_MARGIN};
 	struct mesh_clusters *known = &depths->meshes[object->mesh];
 	mat4 to_clip;
 	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
@@ -145,7 +192,7 @@ bool tile_depths_add_caster(struct tile_depths *depths, const struct sm_scene *s
 	const struct caster *caster = &mesh->caster;
 	struct triangles triangles = {caster->vertex_count, (const float(*)[3])caster->positions,
 		caster->triangle_count, caster->indices, mesh->version};
-	struct tile_fill fill = {depths->farthest, depths->tiles, margin};
+	struct tile_fill fill = {depths->cast.of, depths->tiles, margin};
 	struct mesh_clusters *known = &depths->meshes[object->mesh];
 	vec4 *to_clip = (vec4 *)view->to_clip;
 	if (are_few(&triangles)) {
@@ -160,39 +207,49 @@ bool tile_depths_add_caster(struct tile_depths *depths, const struct sm_scene *s
 	return true;
 }
 
-static void halve(float *values, uint32_t tiles)
+/* to: may be from. */
+static void halve(float *to, const float *from, uint32_t tiles)
 {
 	uint32_t half = tiles / 2;
 	for (uint32_t y = 0; y < half; y++) {
 		for (uint32_t x = 0; x < half; x++) {
-			const float *low = &values[(size_t)2 * y * tiles + 2 * x];
+			const float *low = &from[(size_t)2 * y * tiles + 2 * x];
 			const float *high = low + tiles;
 			/* Written no later than it is read. */
-			values[(size_t)y * half + x] =
+			to[(size_t)y * half + x] =
 				fmaxf(fmaxf(low[0], low[1]), fmaxf(high[0], high[1]));
 		}
 	}
 }
 
-void tile_depths_halve(struct tile_depths *depths)
+bool tile_depths_halve(struct tile_depths *depths)
 {
-	halve(depths->deepest, depths->tiles);
-	halve(depths->farthest, depths->tiles);
-	depths->tiles /= 2;
+	struct tile_values *received = &depths->received_halved, *cast = &depths->cast_halved;
+	uint32_t half = depths->tiles / 2;
+	if (!reserve_values(received, half) || !reserve_values(cast, half))
+		return false;
+	halve(received->of, depths->deepest, depths->tiles);
+	halve(cast->of, depths->farthest, depths->tiles);
+	show(depths, half, received, cast);
+	return true;
 }
 
 void tile_depths_finish(struct tile_depths *depths)
 {
 	forget_meshes(depths);
-	free(depths->deepest);
-	free(depths->farthest);
+	free(depths->received.of);
+	free(depths->cast.of);
+	free(depths->received_halved.of);
+	free(depths->cast_halved.of);
 	free(depths->meshes);
 	*depths = (struct tile_depths){0};
 }
 
 size_t tile_depths_bytes(const struct tile_depths *depths)
 {
-	return (depths->deepest_capacity + depths->farthest_capacity) * sizeof(float) +
+	return (depths->received.capacity + depths->cast.capacity +
+		       depths->received_halved.capacity + depths->cast_halved.capacity) *
+		       sizeof(float) +
 	       depths->mesh_capacity * sizeof(*depths->meshes) +
 	       depths->cluster_count * sizeof(struct cluster);
 }
