@@ -143,40 +143,28 @@ bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content 
 	return false;
 }
 
-bool depth_map_misses(struct gpu *gpu, const struct sm_scene *scene, const struct object *object,
-	const struct light_frame *frame)
-{
-	return skip_take(&gpu->skips, SKIP_CASTER,
-		mesh_misses_screen(&scene->meshes[object->mesh], (vec4 *)object->transform,
-			(vec4 *)frame->world_to_clip, 0.0f, true));
-}
-
-/* Objects that are drawn again: those that touch a part of the light's screen. */
-struct redraw {
-	const struct object_watch *watch;
-	struct screen_box reach;
-};
-
-/* redraw: NULL for all objects. */
-static bool is_drawn(struct gpu *gpu, const struct sm_scene *scene, size_t index,
-	const struct light_frame *frame, const struct redraw *redraw)
+bool depth_map_is_drawn(struct gpu *gpu, const struct sm_scene *scene, size_t index,
+	const struct light_frame *frame, const struct depth_map_redraw *redraw)
 {
 	const struct object *object = &scene->objects[index];
 	if (redraw != NULL &&
 		skip_take(&gpu->skips, SKIP_STATIC,
 			!screen_box_touches(&redraw->watch->objects[index].box, &redraw->reach)))
 		return false;
-	return !depth_map_misses(gpu, scene, object, frame);
+	return !skip_take(&gpu->skips, SKIP_CASTER,
+		mesh_misses_screen(&scene->meshes[object->mesh], (vec4 *)object->transform,
+			(vec4 *)frame->world_to_clip, 0.0f, true));
 }
 
 static void draw_objects(struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content,
-	const struct redraw *redraw, const struct program *program)
+	const struct depth_map_redraw *redraw, const struct program *program)
 {
 	struct gl *gl = &gpu->gl;
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
-		if (!has_content(object, content) || !is_drawn(gpu, scene, i, frame, redraw))
+		if (!has_content(object, content) ||
+			!depth_map_is_drawn(gpu, scene, i, frame, redraw))
 			continue;
 		mat4 to_clip;
 		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
@@ -206,7 +194,7 @@ static void clear(struct gl *gl, float depth, uint64_t write)
 
 static bool fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
 	enum depth_map_content content, uint64_t write, struct target_area area,
-	const struct redraw *redraw, struct sm_error *error)
+	const struct depth_map_redraw *redraw, struct sm_error *error)
 {
 	struct gl *gl = &gpu->gl;
 	struct program_key key = {PROGRAM_DEPTH_MAP, write};
@@ -241,7 +229,8 @@ void depth_map_forget(struct depth_map *map)
 
 static bool draw_part(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content,
-	const struct screen_box *part, const struct redraw *redraw, struct sm_error *error)
+	const struct screen_box *part, const struct depth_map_redraw *redraw,
+	struct sm_error *error)
 {
 	gl_push_group(&gpu->gl, content == DEPTH_OF_CASTERS ? "shadow map" : "receiver map");
 	bind_target(map, &gpu->gl);
@@ -270,7 +259,8 @@ bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scen
 		return error_no_memory(error);
 	if (screen_box_is_none(changed))
 		return true;
-	const struct redraw redraw = {&map->watch, target_part_reach(&map->target, changed)};
+	const struct depth_map_redraw redraw = {
+		&map->watch, target_part_reach(&map->target, changed)};
 	bool drawn = draw_part(map, gpu, scene, frame, DEPTH_OF_CASTERS, changed, &redraw, error);
 	if (!drawn)
 		depth_map_forget(map);

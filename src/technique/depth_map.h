@@ -54,9 +54,16 @@ enum depth_map_content {
 /** True if the scene has objects of that kind. */
 bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content content);
 
-/** Whether an object is skipped, since nothing of it is on the light's screen. */
-bool depth_map_misses(struct gpu *gpu, const struct sm_scene *scene, const struct object *object,
-	const struct light_frame *frame);
+/** Objects that are drawn again: those that touch a part of the light's screen. */
+struct depth_map_redraw {
+	const struct object_watch *watch; /* has been looked at */
+	struct screen_box reach;
+};
+
+/** Whether an object is drawn: some of it may be on the light's screen and, unless redraw is
+ *  NULL, there. */
+bool depth_map_is_drawn(struct gpu *gpu, const struct sm_scene *scene, size_t index,
+	const struct light_frame *frame, const struct depth_map_redraw *redraw);
 
 /** Has the map hold the casters, in its inside: what it held, it keeps where none of them has
  *  changed. map->changed is set to where that is not so. */

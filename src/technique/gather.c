@@ -5,8 +5,8 @@
 #include "gles/raster_grid.h"
 #include "scene/edge_grid.h"
 #include "scene/penumbra.h"
-#include "technique/depth_map.h"
 #include "technique/disc_mask.h"
+#include "technique/sheet_layers.h"
 #include <float.h>
 #include <math.h>
 
@@ -24,10 +24,7 @@ struct list_table {
  * textures are fetched alone, and the layers are integers: core ES 3.0, whatever a driver makes of
  * floats. */
 struct gather {
-	/* Depth and slope of the casters' first sheets; the later ones made when there are any. */
-	struct target layers[GATHER_LAYERS];
-	int layer_count;     /* that the last frame has */
-	struct target depth; /* what the layers are drawn with */
+	struct sheet_layers layers;
 	GLuint tiles, masks;
 	struct list_table runs, vertices;
 	struct edge_grid grid;
@@ -37,8 +34,9 @@ struct gather {
 	bool sparse; /* by itself, in the last frame */
 	enum sm_sampling sampling;
 	float depth_noise;
-	bool told;      /* that edges are left out */
-	uint64_t scene; /* that the last frame was of; 0: it does not count */
+	bool told;         /* that edges are left out */
+	uint64_t scene;    /* that the last frame was of; 0: it does not count */
+	uint64_t failures; /* of the GPU so far, when all was drawn */
 	uint32_t map_size, subpixel_bits;
 };
 
@@ -72,8 +70,7 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 	gather->map_size = options->map_size;
 	gather->sampling = options->sampling;
 	GLsizei size = (GLsizei)gather_layer_size(options->map_size);
-	if (!target_init_shared(&gather->depth, gl, STORAGE_LAYER_DEPTHS, size,
-		    GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
+	if (!sheet_layers_init(&gather->layers, gpu, size, error))
 		return false;
 	upload_masks(gather, gl);
 	gather->tiles = create_table(gl, STORAGE_EDGE_LISTS);
@@ -91,71 +88,7 @@ static void gather_finish(void *state, struct gpu *gpu)
 	gl_delete_texture(&gpu->gl, &gather->vertices.texture);
 	gl_delete_texture(&gpu->gl, &gather->tiles);
 	gl_delete_texture(&gpu->gl, &gather->masks);
-	for (int i = 0; i < GATHER_LAYERS; i++)
-		target_finish(&gather->layers[i], &gpu->gl);
-	target_finish(&gather->depth, &gpu->gl);
-}
-
-static void draw_sheets(struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct program *program)
-{
-	struct gl *gl = &gpu->gl;
-	for (size_t i = 0; i < scene->object_count; i++) {
-		const struct object *object = &scene->objects[i];
-		if (!object->casts)
-			continue;
-		mat4 to_clip;
-		if (depth_map_misses(gpu, scene, object, frame))
-			continue;
-		glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
-		gl->UniformMatrix4fv(program->uniform.object_to_clip, 1, GL_FALSE, to_clip[0]);
-		struct sheet_rule rule = mesh_sheet_rule(
-			&scene->meshes[object->mesh], (vec4 *)object->transform, to_clip);
-		gpu_draw_sheets(gpu, &gpu->scene.meshes[object->mesh], &rule);
-	}
-	gl->Disable(GL_CULL_FACE);
-}
-
-static bool bind_layer(struct gather *gather, struct gl *gl, int layer, struct sm_error *error)
-{
-	struct target *target = &gather->layers[layer];
-	if (target->whole) {
-		target_bind(target, gl);
-		return true;
-	}
-	target_finish(target, gl);
-	if (!target_init(target, gl, STORAGE_LAYERS, gather->depth.size, GL_RG32UI,
-		    GL_COLOR_ATTACHMENT0, error))
-		return false;
-	gl->FramebufferTexture2D(
-		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, gather->depth.texture, 0);
-	target_bind(target, gl);
-	return true;
-}
-
-static bool draw_layer(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, int layer, struct sm_error *error)
-{
-	/* Depth 2 as the bits of a float, behind all there is. */
-	static const GLuint none[4] = {0x40000000, 0, 0, 0};
-	struct gl *gl = &gpu->gl;
-	struct program_key key = {PROGRAM_LAYER, layer > 0 ? FLAG_PEEL : 0};
-	if (!bind_layer(gather, gl, layer, error))
-		return false;
-	gl->DepthMask(GL_TRUE);
-	gl->ClearBufferuiv(GL_COLOR, 0, none);
-	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
-	const struct program *program = program_use(&gpu->programs, gl, key, error);
-	if (program == NULL)
-		return false;
-	if (layer > 0)
-		gpu_bind_texture(gpu, UNIT_FRONT_LAYER, gather->layers[layer - 1].texture);
-	gl->Enable(GL_DEPTH_TEST);
-	gl->DepthFunc(GL_LESS);
-	target_restrict(target_inside(&gather->layers[layer]), gl);
-	draw_sheets(gpu, scene, frame, program);
-	gl->Disable(GL_SCISSOR_TEST);
-	return true;
+	sheet_layers_finish(&gather->layers, gpu);
 }
 
 /* As many layers as there are sheets one behind the other in some tile's middle. */
@@ -167,18 +100,6 @@ static int sheets_in_line(const struct edge_grid *grid)
 		most = winding > most ? winding : most;
 	}
 	return most < GATHER_LAYERS ? most : GATHER_LAYERS;
-}
-
-static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, struct sm_error *error)
-{
-	bool drawn = true;
-	gather->layer_count = sheets_in_line(&gather->grid);
-	gl_push_group(&gpu->gl, "layers");
-	for (int i = 0; i < gather->layer_count && drawn; i++)
-		drawn = draw_layer(gather, gpu, scene, frame, i, error);
-	gl_pop_group(&gpu->gl);
-	return drawn;
 }
 
 /* Of a table of RGBA32F or RGBA32UI, TABLE_ROW a row. */
@@ -265,7 +186,7 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 {
 	const struct edge_grid_options options = {
 		.tiles = GATHER_TILES,
-		.map_size = (uint32_t)gather->depth.size,
+		.map_size = (uint32_t)gather->layers.depth.size,
 		.subpixel_bits = gather->subpixel_bits,
 		.room = GATHER_ROOM,
 	};
@@ -310,12 +231,29 @@ static float find_depth_noise(const struct sm_scene *scene, const struct light_f
 	return DEPTH_ROUNDINGS * FLT_EPSILON * most / (frame->far - frame->near);
 }
 
+static void forget(struct gather *gather)
+{
+	edge_grid_forget(&gather->grid);
+	sheet_layers_forget(&gather->layers);
+}
+
+static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	const struct edge_keep *keep = &gather->grid.keep;
+	return sheet_layers_draw(&gather->layers, gpu, scene, frame, sheets_in_line(&gather->grid),
+		&keep->casters, &keep->changed, error);
+}
+
 static bool gather_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct gather *gather = state;
 	gather->point = frame->disc == 0.0f;
 	gather->depth_noise = find_depth_noise(scene, frame);
+	if (gpu->skips.off[SKIP_STATIC] || gather->failures != gpu->failures)
+		forget(gather);
+	gather->failures = gpu->failures;
 	if (!gather->point)
 		return find_edges(gather, gpu, scene, frame, error) &&
 		       draw_layers(gather, gpu, scene, frame, error);
@@ -365,7 +303,7 @@ static enum sm_sampling gather_sampling(void *state, const struct sm_scene *scen
 	float pixels = penumbra_texels(scene, frame, view->height);
 	/* What another scene had does not count in this one. */
 	bool was_sparse = gather->sparse && gather->scene == scene->id;
-	float enough = gather->layer_count < GATHER_LAYERS ? WIDTH_SPARSE : WIDTH_SPARSE_DEEP;
+	float enough = gather->layers.count < GATHER_LAYERS ? WIDTH_SPARSE : WIDTH_SPARSE_DEEP;
 	bool small = (uint64_t)view->width * view->height / PIXELS_DEFERRED < view->triangles;
 	gather->scene = scene->id;
 	gather->sparse = gather->subpixel_bits >= SPARSE_BITS &&
@@ -390,14 +328,15 @@ static void gather_list_memory(const void *state, const struct memory_list *list
 {
 	const struct gather *gather = state;
 	const struct edge_grid *grid = &gather->grid;
-	size_t chains = edge_chains_bytes(&grid->chains);
+	size_t chains = edge_chains_bytes(&grid->chains), keep = edge_keep_bytes(&grid->keep);
 	size_t depths = tile_depths_bytes(&grid->depths), cover = edge_cover_bytes(&grid->cover);
 	depth_map_list_memory(&gather->hard, list);
 	memory_list_processor(list, "silhouettes: chains", chains);
+	memory_list_processor(list, "silhouettes: kept", keep);
 	memory_list_processor(list, "tiles: depths", depths);
 	memory_list_processor(list, "tiles: reach of edges", cover);
-	memory_list_processor(
-		list, "tiles: lists of edges", edge_grid_bytes(grid) - chains - depths - cover);
+	memory_list_processor(list, "tiles: lists of edges",
+		edge_grid_bytes(grid) - chains - keep - depths - cover);
 }
 
 static void gather_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -412,20 +351,20 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 	static const enum texture_unit units[GATHER_LAYERS] = {
 		UNIT_FRONT_LAYER, UNIT_SECOND_LAYER, UNIT_THIRD_LAYER};
 	for (int i = 0; i < GATHER_LAYERS; i++) {
-		int layer = i < gather->layer_count ? i : 0;
-		gpu_bind_texture(gpu, units[i], gather->layers[layer].texture);
+		int layer = i < gather->layers.count ? i : 0;
+		gpu_bind_texture(gpu, units[i], gather->layers.of[layer].texture);
 	}
-	gl->Uniform1i(program->uniform.layer_count, gather->layer_count);
+	gl->Uniform1i(program->uniform.layer_count, gather->layers.count);
 	gpu_bind_texture(gpu, UNIT_EDGE_TILES, gather->tiles);
 	gpu_bind_texture(gpu, UNIT_EDGE_RUNS, gather->runs.texture);
 	gpu_bind_texture(gpu, UNIT_EDGES, gather->vertices.texture);
 	gpu_bind_texture(gpu, UNIT_DISC_MASKS, gather->masks);
-	depth_map_set_receiver(gpu, gather->depth.size, DEPTH_MAP_NEAREST, frame, program);
+	depth_map_set_receiver(gpu, gather->layers.depth.size, DEPTH_MAP_NEAREST, frame, program);
 	gl->Uniform1f(program->uniform.disc_scale, disc_scale(frame));
 	gl->Uniform1f(program->uniform.pole, frame->pole);
 	gl->Uniform1f(program->uniform.depth_noise, gather->depth_noise);
 	gl->Uniform1f(program->uniform.snap,
-		0.5f / ((float)gather->depth.size * (float)(1u << gather->subpixel_bits)));
+		0.5f / ((float)gather->layers.depth.size * (float)(1u << gather->subpixel_bits)));
 	gl->Uniform1f(
 		program->uniform.disc_facing, frame->parallel ? 0.0f : 2.0f * frame->half_extent);
 	gl->Uniform1f(program->uniform.tile_count, (float)gather->grid.tiles);
