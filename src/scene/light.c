@@ -175,11 +175,36 @@ static bool is_range(float far_plane)
 	return far_plane > FLT_MIN / NEAR_TO_FAR_MIN && isfinite(far_plane);
 }
 
+/* The nearest number to a positive one, up or down, of 17 to 32 steps of a power of two: what
+ * changes a little mostly has the same. */
+static float step_up(float size)
+{
+	int exponent;
+	float part = frexpf(size, &exponent);
+	return ldexpf(ceilf(part * 32.0f) / 32.0f, exponent);
+}
+
+static float step_down(float size)
+{
+	int exponent;
+	float part = frexpf(size, &exponent);
+	return ldexpf(floorf(part * 32.0f) / 32.0f, exponent);
+}
+
+/* Widths of screens are no round numbers: what lies at round coordinates would have its edges run
+ * through texels' centres, which are in doubt. */
+#define UNEVEN 1.0137f
+
+/* steady: the same range for depths that are about the same. */
 static void spot_frame(struct light_frame *frame, const struct sm_light_desc *light,
-	const struct sm_scene *scene, mat4 view)
+	const struct sm_scene *scene, mat4 view, bool steady)
 {
 	struct depth_range casters = depths_in_cone(light, scene, view, true);
 	struct depth_range all = depths_in_cone(light, scene, view, false);
+	if (steady) {
+		casters.near = step_down(casters.near);
+		all.far = step_up(all.far);
+	}
 	/* A thousandth of the range more on either side, and what distances are rounded by. */
 	float slack = fmaxf(all.far - casters.near, 0.0f) * 1e-3f + all.far * 8.0f * FLT_EPSILON;
 	float far_plane = all.far + slack;
@@ -249,22 +274,49 @@ static void fit_directional_screen(
 	screen->extent = size_or_one(screen->extent, fmaxf(fabsf(center[0]), fabsf(center[1])));
 }
 
+/* A box around another, of the larger of its width and height, up to an eighth wider, and deeper by
+ * two sixteenths: mostly the same where that changes a little. Where a size is nothing, or has no
+ * sixteenth there, it stays. */
+static void steady_box(vec3 box[2])
+{
+	float width = fmaxf(box[1][0] - box[0][0], box[1][1] - box[0][1]);
+	float step = step_up(width) / 16.0f, half = step_up(width / 2.0f + step / 2.0f);
+	for (int axis = 0; axis < 2 && step > FLT_MIN && isfinite(half); axis++) {
+		float center = (box[0][axis] + box[1][axis]) / 2.0f;
+		center = roundf(center / step) * step;
+		box[0][axis] = fminf(box[0][axis], center - half);
+		box[1][axis] = fmaxf(box[1][axis], center + half);
+	}
+	step = step_up(box[1][2] - box[0][2]) / 16.0f;
+	if (step > FLT_MIN && isfinite(step)) {
+		box[0][2] = fminf(box[0][2], floorf(box[0][2] / step) * step);
+		box[1][2] = fmaxf(box[1][2], ceilf(box[1][2] / step) * step);
+	}
+}
+
+/* steady: the same screen and range for casters that are about where they were. */
 static void directional_frame(struct light_frame *frame, const struct sm_light_desc *light,
-	const struct sm_scene *scene, mat4 view)
+	const struct sm_scene *scene, mat4 view, bool steady)
 {
 	vec3 path;
 	/* With nothing to cast a shadow any box will do. */
 	vec3 casters[2] = {{-1.0f, -1.0f, -2.0f}, {1.0f, 1.0f, -1.0f}}, found[2];
 	if (casters_box(scene, view, found))
 		memcpy(casters, found, sizeof(casters));
+	if (steady)
+		steady_box(casters);
 	glm_vec3_sub((float *)light->position, (float *)light->target, path);
 	/* Positions that differ may be one where they are counted from far away. */
 	float length = glm_vec3_norm(path);
 	frame->disc = length > 0.0f ? light->radius / length : 0.0f;
 	struct screen screen;
 	fit_directional_screen(&screen, scene, view, casters, frame->disc);
+	if (steady)
+		screen.extent = UNEVEN * step_up(screen.extent);
 	float far = farthest_on_screen(&screen, scene, view, -casters[0][2]);
 	float depth = size_or_one(far + casters[1][2], casters[1][2]);
+	if (steady)
+		depth = step_up(depth);
 	frame->parallel = true;
 	frame->half_extent = screen.extent;
 	/* From the near plane on: counted from a light that may be far away, depths would lose the
@@ -284,19 +336,25 @@ static void directional_frame(struct light_frame *frame, const struct sm_light_d
 	frame->origin[3] = 0.0f;
 }
 
-void light_frame_init(
-	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene)
+static void make_frame(struct light_frame *frame, const struct sm_light_desc *light,
+	const struct sm_scene *scene, bool steady)
 {
 	*frame = (struct light_frame){0};
 	mat4 view;
 	light_view(light, view);
 	if (light->type == SM_LIGHT_SPOT)
-		spot_frame(frame, light, scene, view);
+		spot_frame(frame, light, scene, view, steady);
 	else
-		directional_frame(frame, light, scene, view);
+		directional_frame(frame, light, scene, view, steady);
 	/* Views look along -z; here z grows away from the light. */
 	for (int column = 0; column < 4; column++)
 		frame->world_to_light[column][2] *= -1.0f;
+}
+
+void light_frame_init(
+	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene)
+{
+	make_frame(frame, light, scene, false);
 }
 
 /* Widens *slope to that of the ray to the farthest corner of a box from the axis, and *nearest to
@@ -348,11 +406,11 @@ void light_frame_fit(
 	if (light->type == SM_LIGHT_SPOT && light->radius > 0.0f) {
 		float screen = tanf(glm_rad(light->angle) / 2.0f);
 		float slope = shadowed_slope(light, scene, screen);
-		slope = fmaxf(slope, screen * NARROWED_MIN);
+		slope = UNEVEN * step_up(fmaxf(slope, screen * NARROWED_MIN));
 		if (slope < screen)
 			fitted.angle = 2.0f * glm_deg(atanf(slope));
 	}
-	light_frame_init(frame, &fitted, scene);
+	make_frame(frame, &fitted, scene, true);
 }
 
 /* SLOPE_MAX times the width of a texel there. For a spot the width grows with the distance, and

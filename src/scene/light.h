@@ -39,7 +39,9 @@ void light_frame_init(
 	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene);
 
 /** The same for one to which nothing beside its screen is in shadow: that of a spot with a radius
- * is narrowed, about its axis, to its casters and what their penumbrae reach. */
+ * is narrowed, about its axis, to its casters and what their penumbrae reach. Screen and depth
+ * range are widened by up to a fifth so that they are mostly the same, bit for bit, where objects
+ * have moved a little; they depend on nothing but the scene as it is. */
 void light_frame_fit(
 	struct light_frame *frame, const struct sm_light_desc *light, const struct sm_scene *scene);
 
