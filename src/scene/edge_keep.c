@@ -76,12 +76,14 @@ static void find_changes(struct search *search)
 	}
 }
 
-static bool keeps_any(const struct object_watch *watch)
+static void count_casters(struct edge_keep *keep)
 {
-	for (size_t i = 0; i < watch->count; i++)
-		if (watch->objects[i].shown && !watch->objects[i].changed)
-			return true;
-	return false;
+	keep->caster_count = keep->kept_count = 0;
+	for (size_t i = 0; i < keep->casters.count; i++) {
+		const struct watched_object *object = &keep->casters.objects[i];
+		keep->caster_count += object->shown;
+		keep->kept_count += object->shown && !object->changed;
+	}
 }
 
 /* Has the points that some are kept of out of the way. */
@@ -90,7 +92,8 @@ static void set_aside(struct edge_keep *keep, struct edge_chains *chains)
 	struct chain_point *points = chains->points;
 	size_t capacity = chains->point_capacity;
 	edge_chains_clear(chains);
-	if (!keeps_any(&keep->casters)) {
+	count_casters(keep);
+	if (keep->kept_count == 0) {
 		free(keep->before);
 		keep->before = NULL;
 		keep->before_capacity = 0;

@@ -25,6 +25,7 @@ struct edge_part {
  *  nothing. */
 struct edge_keep {
 	struct screen_box changed; /* where casters show otherwise than in the search before */
+	size_t caster_count, kept_count; /* casters, and those whose chains were kept */
 	struct edge_raster raster;
 	struct object_watch casters, receivers;
 	struct edge_part *parts;    /* of each object, owned */

@@ -196,6 +196,8 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 	if (found) {
 		mark_soft(gather);
 		count_edges(gather, &gpu->stats);
+		skip_count(&gpu->skips, SKIP_STATIC, gather->grid.keep.caster_count,
+			gather->grid.keep.kept_count);
 		gpu->stats.silhouette_ms += processor_ms() - start;
 		gpu->gl.ActiveTexture(GL_TEXTURE0);
 		upload_tiles(gather, gpu);

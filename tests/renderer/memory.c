@@ -336,11 +336,25 @@ static void all_is_listed(void **state)
 	tear_down(&world);
 }
 
+/* With what is kept of objects that stay while one moves. */
 static void what_moves_is_listed(void **state)
 {
 	struct world world;
 	static const float positions[][3] = {{-1, 0, -1}, {1, 0, -1}, {1, 0.5f, 1}, {-1, 0, 1}};
+	float transform[16];
 	set_up(&world, *state, 1);
+	for (size_t i = 0; i < CASES; i++) {
+		if (!use_case(&world, &cases[i]))
+			continue;
+		for (int move = 0; move < 3; move++) {
+			pose_matrix(&(struct pose){.scale = {0.3f, 0.3f, 0.3f},
+					    .position = {(float)move, 1, 0}},
+				transform);
+			assert_true(sm_scene_set_transform(world.rig->scene, 0, transform, NULL));
+			draw(&world, SM_NONE, 0);
+			check_listed(&world);
+		}
+	}
 	assert_true(use_case(&world, &cases[4]));
 	draw(&world, SM_NONE, 0);
 	assert_true(sm_scene_set_vertices(world.rig->scene, 1, positions[0], NULL, NULL));
