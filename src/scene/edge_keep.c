@@ -6,8 +6,7 @@
 
 void edge_keep_finish(struct edge_keep *keep)
 {
-	object_watch_finish(&keep->casters);
-	object_watch_finish(&keep->receivers);
+	object_watch_finish(&keep->watch);
 	free(keep->parts);
 	free(keep->before);
 	*keep = (struct edge_keep){0};
@@ -15,18 +14,12 @@ void edge_keep_finish(struct edge_keep *keep)
 
 void edge_keep_forget(struct edge_keep *keep)
 {
-	object_watch_forget(&keep->casters);
-	object_watch_forget(&keep->receivers);
+	object_watch_forget(&keep->watch);
 }
 
 static bool is_caster(const struct object *object)
 {
 	return object->casts;
-}
-
-static bool is_receiver(const struct object *object)
-{
-	return object->receives;
 }
 
 /* What a search is for. */
@@ -36,7 +29,7 @@ struct search {
 	struct tile_depths *depths;
 	const struct sm_scene *scene;
 	const struct light_frame *frame;
-	size_t known;                     /* objects of which there are parts */
+	size_t known;                     /* objects that parts are kept of */
 	struct screen_box cast, received; /* where depths are found anew */
 };
 
@@ -60,18 +53,16 @@ static void find_changes(struct search *search)
 {
 	search->cast = search->received = screen_box_none();
 	for (size_t i = 0; i < search->scene->object_count; i++) {
-		const struct watched_object *caster = &search->keep->casters.objects[i];
-		const struct watched_object *receiver = &search->keep->receivers.objects[i];
+		const struct object *object = &search->scene->objects[i];
 		struct edge_part *part = &search->keep->parts[i];
-		/* An object does not become a caster, nor a receiver: both are looked at as one. */
-		if (!caster->changed && !receiver->changed)
+		if (!search->keep->watch.objects[i].changed)
 			continue;
 		struct screen_box changed = i < search->known ? part->reach : screen_box_none();
-		part->reach = find_reach(search, &search->scene->objects[i]);
+		part->reach = find_reach(search, object);
 		screen_box_add(&changed, &part->reach);
-		if (caster->shown)
+		if (object->casts)
 			screen_box_add(&search->cast, &changed);
-		if (receiver->shown)
+		if (object->receives)
 			screen_box_add(&search->received, &changed);
 	}
 }
@@ -79,8 +70,8 @@ static void find_changes(struct search *search)
 static void count_casters(struct edge_keep *keep)
 {
 	keep->caster_count = keep->kept_count = 0;
-	for (size_t i = 0; i < keep->casters.count; i++) {
-		const struct watched_object *object = &keep->casters.objects[i];
+	for (size_t i = 0; i < keep->watch.count; i++) {
+		const struct watched_object *object = &keep->watch.objects[i];
 		keep->caster_count += object->shown;
 		keep->kept_count += object->shown && !object->changed;
 	}
@@ -111,7 +102,7 @@ static bool add_chains(struct search *search, size_t index, const struct caster_
 	struct edge_chains *chains = search->chains;
 	struct edge_part *part = &search->keep->parts[index];
 	size_t first = chains->count, edges = chains->edge_count;
-	bool added = search->keep->casters.objects[index].changed
+	bool added = search->keep->watch.objects[index].changed
 			     ? edge_chains_add(chains, view, search->keep->raster.screen)
 			     : edge_chains_keep(chains, search->keep->before + part->first,
 				       part->count, part->edge_count);
@@ -128,7 +119,7 @@ static bool add_caster(struct search *search, size_t index)
 	struct edge_keep *keep = search->keep;
 	const struct object *object = &search->scene->objects[index];
 	struct caster_view view;
-	bool deep = keep->casters.objects[index].changed ||
+	bool deep = keep->watch.objects[index].changed ||
 		    screen_box_touches(&keep->parts[index].reach, &search->cast);
 	if (deep && !edge_chains_see(search->chains, search->scene, object, search->frame, &view))
 		return false;
@@ -187,18 +178,14 @@ bool edge_keep_find(struct edge_keep *keep, struct edge_chains *chains, struct t
 	const struct edge_raster *raster)
 {
 	struct search search = {keep, chains, depths, scene, frame, 0, {{0}, {0}}, {{0}, {0}}};
-	struct screen_box received;
 	if (!is_same_raster(&keep->raster, raster))
 		edge_keep_forget(keep);
 	keep->raster = *raster;
-	search.known = keep->casters.count;
-	bool found = object_watch_look(&keep->casters, scene, frame, is_caster, &keep->changed) &&
-		     object_watch_look(&keep->receivers, scene, frame, is_receiver, &received) &&
-		     tile_depths_reserve(depths, scene, raster->tiles);
-	/* Of both, since they are looked at together. */
-	if (found && screen_box_is_all(&received))
+	search.known = keep->watch.count;
+	bool found = object_watch_look(&keep->watch, scene, frame, is_caster, &keep->changed);
+	if (found && screen_box_is_all(&keep->changed))
 		search.known = 0;
-	found = found && find(&search);
+	found = found && tile_depths_reserve(depths, scene, raster->tiles) && find(&search);
 	if (!found)
 		edge_keep_forget(keep);
 	return found;
@@ -206,8 +193,7 @@ bool edge_keep_find(struct edge_keep *keep, struct edge_chains *chains, struct t
 
 size_t edge_keep_bytes(const struct edge_keep *keep)
 {
-	return (keep->casters.capacity + keep->receivers.capacity) *
-		       sizeof(*keep->casters.objects) +
+	return keep->watch.capacity * sizeof(*keep->watch.objects) +
 	       keep->part_capacity * sizeof(*keep->parts) +
 	       keep->before_capacity * sizeof(*keep->before);
 }

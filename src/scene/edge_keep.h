@@ -27,7 +27,7 @@ struct edge_keep {
 	struct screen_box changed; /* where casters show otherwise than in the search before */
 	size_t caster_count, kept_count; /* casters, and those whose chains were kept */
 	struct edge_raster raster;
-	struct object_watch casters, receivers;
+	struct object_watch watch;  /* on casters */
 	struct edge_part *parts;    /* of each object, owned */
 	struct chain_point *before; /* what the chains were, where some are kept; owned */
 	size_t part_capacity, before_capacity;

@@ -244,7 +244,7 @@ static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_
 {
 	const struct edge_keep *keep = &gather->grid.keep;
 	return sheet_layers_draw(&gather->layers, gpu, scene, frame, sheets_in_line(&gather->grid),
-		&keep->casters, &keep->changed, error);
+		&keep->watch, &keep->changed, error);
 }
 
 static bool gather_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
