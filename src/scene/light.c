@@ -151,22 +151,24 @@ static bool is_in_box(const struct object *object, const float point[3])
 	return glm_aabb_point(box, (float *)point);
 }
 
-/* Depths of all objects, or of the casters, that are in a spot's cone. */
-static struct depth_range depths_in_cone(const struct sm_light_desc *light,
-	const struct sm_scene *scene, mat4 view, bool casters_only)
+/* Widens ranges to the depths of all objects, and of the casters, that are in a spot's cone. */
+static void widen_to_cone(struct depth_range *all, struct depth_range *casters,
+	const struct sm_light_desc *light, const struct sm_scene *scene, mat4 view)
 {
-	struct depth_range range = {FLT_MAX, 0.0f};
 	/* A thousandth more for rounding. */
 	const struct screen screen = {.slope = tanf(glm_rad(light->angle) / 2.0f) * 1.001f};
 	for (size_t i = 0; i < scene->object_count; i++) {
 		const struct object *object = &scene->objects[i];
-		if (casters_only && !object->casts)
-			continue;
+		struct depth_range range = {FLT_MAX, 0.0f};
 		widen_by_box(&range, &screen, object, view);
 		if (is_in_box(object, light->position))
 			range.near = 0.0f;
+		for (int k = 0; k < (object->casts ? 2 : 1); k++) {
+			struct depth_range *widened = k == 0 ? all : casters;
+			widened->near = fminf(widened->near, range.near);
+			widened->far = fmaxf(widened->far, range.far);
+		}
 	}
-	return range;
 }
 
 /* Whether a far plane is at a distance that it and the nearest of near planes can be divided by. */
@@ -199,8 +201,8 @@ static float step_down(float size)
 static void spot_frame(struct light_frame *frame, const struct sm_light_desc *light,
 	const struct sm_scene *scene, mat4 view, bool steady)
 {
-	struct depth_range casters = depths_in_cone(light, scene, view, true);
-	struct depth_range all = depths_in_cone(light, scene, view, false);
+	struct depth_range casters = {FLT_MAX, 0.0f}, all = {FLT_MAX, 0.0f};
+	widen_to_cone(&all, &casters, light, scene, view);
 	if (steady) {
 		casters.near = step_down(casters.near);
 		all.far = step_up(all.far);
