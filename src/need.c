@@ -55,11 +55,12 @@ static void mark_casters(struct screen_grid *cells, const struct gpu_scene *gpu,
 }
 
 void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct screen_grid *soft, float reach,
-	uint32_t map_size)
+	const struct light_frame *frame, const struct screen_grid *soft, bool soft_is_all,
+	float reach, uint32_t map_size)
 {
 	*map = (struct need_map){.cone = INFINITY};
-	mark_casters(&map->cells[NEED_MAP], gpu, scene, frame, reach, map_size);
+	if (soft == NULL || !soft_is_all)
+		mark_casters(&map->cells[NEED_MAP], gpu, scene, frame, reach, map_size);
 	map->cells[NEED_TECHNIQUE] = soft != NULL ? *soft : map->cells[NEED_MAP];
 }
 

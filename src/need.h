@@ -26,11 +26,12 @@ struct need_map {
 
 /**
  * gpu: has the scene's meshes. soft: cells that need the technique; NULL: those of the casters do.
- * reach: of the technique, NDC. map_size: texels a side of the shadow map.
+ * soft_is_all: elsewhere no map is needed either. reach: of the technique, NDC. map_size: texels a
+ * side of the shadow map.
  */
 void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct screen_grid *soft, float reach,
-	uint32_t map_size);
+	const struct light_frame *frame, const struct screen_grid *soft, bool soft_is_all,
+	float reach, uint32_t map_size);
 
 /** Of surfaces in a rectangle of the light's screen, NDC. */
 enum need need_of_rectangle(const struct need_map *map, const float min[2], const float max[2]);

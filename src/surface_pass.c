@@ -368,6 +368,7 @@ static void map_needs(struct surface_pass *pass)
 	if (!shadow->mapped)
 		need_map_find(&shadow->needs, &renderer->gpu.scene, pass->scene, pass->frame,
 			technique->soft_grid != NULL ? technique->soft_grid(shadow->state) : NULL,
+			technique->soft_is_all,
 			technique->reach != NULL ? technique->reach(shadow->state, pass->frame)
 						 : 0.0f,
 			renderer->shadows.options.map_size);
