@@ -21,6 +21,11 @@ static bool append(char **list, const char *sign, const char *item, struct sm_er
 	return true;
 }
 
+bool driver_options_has(int id)
+{
+	return id == FLAG_CAPS || id == FLAG_PATH || id == FLAG_NO_SKIP;
+}
+
 bool driver_options_flag(
 	struct driver_options *options, int id, const char *value, struct sm_error *error)
 {

@@ -26,7 +26,9 @@ struct driver_options {
 	size_t path_count, path_capacity;
 };
 
-/** Takes a flag of DRIVER_FLAGS, or SKIP_FLAG. Fails (MACHINE) when out of memory. */
+/** Whether a flag is one of DRIVER_FLAGS, or SKIP_FLAG. */
+bool driver_options_has(int id);
+/** Takes one. Fails (MACHINE) when out of memory. */
 bool driver_options_flag(
 	struct driver_options *options, int id, const char *value, struct sm_error *error);
 void driver_options_finish(struct driver_options *options);

@@ -82,17 +82,6 @@ static bool read_flag(
 		       options_error(error, &render_command,
 			       "--size %.40s: WIDTHxHEIGHT in pixels is wanted, each 1 or more",
 			       value);
-	case FLAG_SAMPLES:
-	case FLAG_TECHNIQUE:
-	case FLAG_PRECISION:
-	case FLAG_SAMPLING:
-	case FLAG_MAP:
-	case FLAG_SET:
-		return scene_options_flag(&options->scene, &render_command, id, value, error);
-	case FLAG_CAPS:
-	case FLAG_PATH:
-	case FLAG_NO_SKIP:
-		return driver_options_flag(&options->driver, id, value, error);
 	case FLAG_VISIBILITY:
 		options->visibility_of = 0;
 		return value == NULL ||
@@ -116,6 +105,11 @@ static bool read_flag(
 		options->stats = true;
 		return true;
 	default:
+		if (scene_options_has(id))
+			return scene_options_flag(
+				&options->scene, &render_command, id, value, error);
+		if (driver_options_has(id))
+			return driver_options_flag(&options->driver, id, value, error);
 		options_common(&options->common, id, value);
 		return true;
 	}

@@ -2,6 +2,7 @@
 #include "app/scene_options.h"
 #include "base/array.h"
 #include <getopt.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,6 +15,7 @@ bool scene_options_init(struct scene_options *options, int argc, struct sm_error
 
 void scene_options_finish(struct scene_options *options)
 {
+	free(options->animation);
 	free(options->settings);
 }
 
@@ -40,6 +42,26 @@ static bool read_sampling(const char *name, enum sm_sampling *sampling)
 	return false;
 }
 
+/* What objects do is up to settings. */
+static bool take_animation(struct scene_options *options, const struct command *command,
+	const char *name, struct sm_error *error)
+{
+	static const char key[] = "object.animation=";
+	if (name[0] == '\0')
+		return options_error(error, command, "--animation: a name or number is wanted");
+	free(options->animation);
+	options->animation = array_alloc(sizeof(key) + strlen(name), 1);
+	if (options->animation == NULL)
+		return error_no_memory(error);
+	sprintf(options->animation, "%s%s", key, name);
+	return true;
+}
+
+bool scene_options_has(int id)
+{
+	return id >= FLAG_OWN && id < FLAG_OWN_OF_SCENES;
+}
+
 bool scene_options_flag(struct scene_options *options, const struct command *command, int id,
 	const char *value, struct sm_error *error)
 {
@@ -63,6 +85,8 @@ bool scene_options_flag(struct scene_options *options, const struct command *com
 		return read_sampling(value, &options->sampling) ||
 		       options_error(error, command,
 			       "--sampling %.40s: dense, sparse or deferred is wanted", value);
+	case FLAG_ANIMATION:
+		return take_animation(options, command, value, error);
 	case FLAG_SET:
 		options->settings[options->setting_count++] = value;
 		break;
@@ -95,7 +119,10 @@ const char *scene_name(const char *scene, size_t *length)
 bool scene_options_load(
 	const struct scene_options *options, struct stage *stage, struct sm_error *error)
 {
-	if (!stage_load(stage, options->scene, options->settings, options->setting_count, error))
+	size_t setting_count = options->setting_count;
+	if (options->animation != NULL)
+		options->settings[setting_count++] = options->animation;
+	if (!stage_load(stage, options->scene, options->settings, setting_count, error))
 		return false;
 	if (options->samples > 0)
 		stage->output.samples = options->samples;

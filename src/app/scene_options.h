@@ -14,6 +14,7 @@
 		{FLAG_SAMPLING, "sampling", "NAME",                                       \
 			"pixels that gather finds shadows for: dense, sparse, deferred"}, \
 		{FLAG_MAP, "map", "N", "texels a side of the shadow map"},                \
+		{FLAG_ANIMATION, "animation", "NAME|N", "what models do; none: nothing"}, \
 	{                                                                                 \
 		FLAG_SET, "set", "SECTION.KEY=VALUE", "change the scene; may be repeated" \
 	}
@@ -24,6 +25,7 @@ enum {
 	FLAG_PRECISION,
 	FLAG_SAMPLING,
 	FLAG_MAP,
+	FLAG_ANIMATION,
 	FLAG_SET,
 	FLAG_OWN_OF_SCENES, /**< these subcommands count on from here */
 };
@@ -35,7 +37,8 @@ struct scene_options {
 	const char *technique;       /**< NULL: not given */
 	enum sm_precision precision; /**< default: not given */
 	enum sm_sampling sampling;   /**< likewise */
-	const char **settings;       /**< owned array */
+	char *animation;             /**< as a setting; NULL: not given; owned */
+	const char **settings;       /**< owned array, with room for one more */
 	size_t setting_count;
 };
 
@@ -47,7 +50,9 @@ void scene_options_finish(struct scene_options *options);
 /** Reads the name of a precision. */
 bool scene_options_precision(const char *name, enum sm_precision *precision);
 
-/** Takes a flag of SCENE_FLAGS. */
+/** Whether a flag is one of SCENE_FLAGS. */
+bool scene_options_has(int id);
+/** Takes one. */
 bool scene_options_flag(struct scene_options *options, const struct command *command, int id,
 	const char *value, struct sm_error *error);
 

@@ -121,17 +121,6 @@ static bool read_flag(
 	case FLAG_LEGACY:
 		options->display.legacy = true;
 		return true;
-	case FLAG_SAMPLES:
-	case FLAG_TECHNIQUE:
-	case FLAG_PRECISION:
-	case FLAG_SAMPLING:
-	case FLAG_MAP:
-	case FLAG_SET:
-		return scene_options_flag(&options->scene, &show_command, id, value, error);
-	case FLAG_CAPS:
-	case FLAG_PATH:
-	case FLAG_NO_SKIP:
-		return driver_options_flag(&options->driver, id, value, error);
 	case FLAG_FRAMES:
 		return options_number(value, 1, INT32_MAX, &options->frames) ||
 		       options_error(error, &show_command,
@@ -140,6 +129,10 @@ static bool read_flag(
 		options->stats = true;
 		return true;
 	default:
+		if (scene_options_has(id))
+			return scene_options_flag(&options->scene, &show_command, id, value, error);
+		if (driver_options_has(id))
+			return driver_options_flag(&options->driver, id, value, error);
 		options_common(&options->common, id, value);
 		return true;
 	}

@@ -52,6 +52,8 @@ static const struct {
 	{2, "--samples 2: 1 or 4", {"render", CYLINDER, "--samples", "2"}},
 	{2, "--map 0: ", {"render", CYLINDER, "--map", "0"}},
 	{2, "--map big: ", {"render", CYLINDER, "--map", "big"}},
+	{2, "--animation: a name or number", {"render", CYLINDER, "--animation", ""}},
+	{2, "known: none", {"render", CYLINDER, "--animation", "Run"}},
 	{2, "--visibility=x: ", {"render", CYLINDER, "--visibility=x"}},
 	{2, "--visibility=7: builtin:cylinder has 1 light", {"render", CYLINDER, "--visibility=7"}},
 	{2, "--frames x: ", {"render", CYLINDER, "--frames", "x"}},

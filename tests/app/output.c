@@ -168,6 +168,26 @@ static void test_scenes_move_from_where_they_rest(void **state)
 	}
 }
 
+static void draw_animation(const char *flag, const char *value, const char *name)
+{
+	assert_success(RUN("render", "-q", SMOOTHIE_RIG, "--size", "32x24", "--fps", "4",
+		"--frames", "2:2", flag, value, "-o", name));
+}
+
+static void test_an_animation_is_chosen(void **state)
+{
+	(void)state;
+	if (!SMOOTHIE_HAS_MODELS)
+		skip();
+	draw_animation("--animation", "none", "none.png");
+	draw_animation("--animation", "Wave", "name.png");
+	draw_animation("--animation", "1", "number.png");
+	draw_animation("--set", "object.animation=Wave", "set.png");
+	assert_true(program_same_files("name-0002.png", "number-0002.png"));
+	assert_true(program_same_files("name-0002.png", "set-0002.png"));
+	assert_false(program_same_files("name-0002.png", "none-0002.png"));
+}
+
 /* A fourth of a turn each. */
 static void test_the_rate_of_frames_is_a_ratio(void **state)
 {
@@ -377,6 +397,7 @@ int main(void)
 		IN_SCRATCH(test_stats_name_every_stage),
 		IN_SCRATCH(test_sequences_are_numbered),
 		IN_SCRATCH(test_scenes_move_from_where_they_rest),
+		IN_SCRATCH(test_an_animation_is_chosen),
 		IN_SCRATCH(test_the_rate_of_frames_is_a_ratio),
 		IN_SCRATCH(test_files_get_the_permissions_of_the_umask),
 		IN_SCRATCH(test_links_are_followed),
