@@ -6,6 +6,8 @@
 #include "load/stage.h"
 #include "platform.h"
 #include <getopt.h>
+#include <stdio.h>
+#include <string.h>
 
 enum {
 	FLAG_JSON = FLAG_OWN_OF_SCENES,
@@ -38,18 +40,13 @@ static bool take_flag(struct info_options *options, int id, struct sm_error *err
 	case FLAG_MEMORY:
 		options->memory = true;
 		return true;
-	case FLAG_CAPS:
-	case FLAG_PATH:
-		return driver_options_flag(&options->driver, id, optarg, error);
-	case FLAG_SAMPLES:
-	case FLAG_TECHNIQUE:
-	case FLAG_PRECISION:
-	case FLAG_SAMPLING:
-	case FLAG_MAP:
-	case FLAG_SET:
-		options->drawn = true;
-		return scene_options_flag(&options->scene, &info_command, id, optarg, error);
 	default:
+		options->drawn |= scene_options_has(id);
+		if (scene_options_has(id))
+			return scene_options_flag(
+				&options->scene, &info_command, id, optarg, error);
+		if (driver_options_has(id))
+			return driver_options_flag(&options->driver, id, optarg, error);
 		options_common(&options->common, id, optarg);
 		return true;
 	}
@@ -109,6 +106,30 @@ static double bytes_per_edge(const struct sm_mesh_stats *stats, size_t bytes)
 	return stats->edges > 0 ? (double)bytes / (double)stats->edges : 0;
 }
 
+/** By its number, as --animation takes it; is_alone: the object is the only one with any. */
+static void add_clip(struct facts *facts, const struct stage_clip *clip, bool is_alone)
+{
+	char key[80];
+	snprintf(key, sizeof(key), "animation %zu%s%.40s", clip->number, is_alone ? "" : " of ",
+		is_alone ? "" : clip->object);
+	facts_format(facts, key, "%.60s, %.3f s, %zu nodes, %zu morphs", clip->name, clip->seconds,
+		clip->nodes, clip->morphs);
+}
+
+static void add_clips(struct facts *facts, const struct stage_clips *clips)
+{
+	const struct stage_clip *list = clips->clips;
+	bool is_alone = true;
+	facts_format(facts, "skins", "%zu", clips->skins);
+	facts_format(facts, "bones", "%zu", clips->bones);
+	facts_format(facts, "morph targets", "%zu", clips->targets);
+	facts_format(facts, "animations", "%zu", clips->clip_count);
+	for (size_t i = 1; i < clips->clip_count; i++)
+		is_alone = is_alone && strcmp(list[i].object, list[0].object) == 0;
+	for (size_t i = 0; i < clips->clip_count; i++)
+		add_clip(facts, &list[i], is_alone);
+}
+
 static void add_scene(struct facts *facts, const struct sm_scene *scene)
 {
 	struct sm_mesh_stats stats = sum_meshes(scene);
@@ -142,6 +163,7 @@ static bool describe_scene(const struct info_options *options, struct sm_error *
 		return false;
 	facts_begin(&facts, stdout, options->json);
 	add_scene(&facts, stage.scene);
+	add_clips(&facts, &stage.clips);
 	facts_end(&facts);
 	stage_finish(&stage);
 	return true;

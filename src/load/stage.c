@@ -341,10 +341,16 @@ static bool finish_stage(struct builder *builder, struct stage *stage, struct sm
 	frame_complete_camera(&builder->frame, &plan->lights[0].desc, aspect, camera);
 	if (!check_camera(camera, builder->source, error))
 		return false;
-	struct stage_motion motion;
-	struct actor *actors = builder->actors;
-	builder->actors = NULL;
-	if (!stage_motion_init(&motion, plan, actors, builder->source, error)) {
+	struct stage_clips clips;
+	struct stage_motion motion = {0};
+	bool ok = stage_clips_init(&clips, plan, builder->actors, error);
+	if (ok) {
+		struct actor *actors = builder->actors;
+		builder->actors = NULL;
+		ok = stage_motion_init(&motion, plan, actors, builder->source, error);
+	}
+	if (!ok) {
+		stage_clips_finish(&clips);
 		stage_motion_finish(&motion);
 		return false;
 	}
@@ -353,6 +359,7 @@ static bool finish_stage(struct builder *builder, struct stage *stage, struct sm
 		.camera = *camera,
 		.framing = framing,
 		.motion = motion,
+		.clips = clips,
 		.shadow = {.technique = shadow->technique,
 			.map_size = shadow->map,
 			.width = isnan(shadow->width) ? 0 : shadow->width,
@@ -399,6 +406,7 @@ bool stage_load(struct stage *stage, const char *source, const char *const *sett
 
 void stage_finish(struct stage *stage)
 {
+	stage_clips_finish(&stage->clips);
 	stage_motion_finish(&stage->motion);
 	sm_scene_destroy(stage->scene);
 	free(stage->technique);

@@ -3,6 +3,7 @@
 #define LOAD_STAGE_H
 
 #include "load/defaults.h"
+#include "load/stage_clips.h"
 #include "load/stage_motion.h"
 
 /** Pixels of the picture. */
@@ -24,6 +25,7 @@ struct stage {
 	struct sm_camera camera;
 	struct stage_framing framing;
 	struct stage_motion motion;
+	struct stage_clips clips;
 	struct sm_shadow_options shadow; /**< zero where nothing was said */
 	struct stage_output output;
 	char *technique; /**< owned; shadow.technique points here */
