@@ -27,13 +27,10 @@ static bool all_finite(const float *values, size_t count)
 	return true;
 }
 
-/** assimp's matrices are row-major. */
-static void copy_matrix(const struct aiMatrix4x4 *source, float matrix[16])
+void import_matrix(const struct aiMatrix4x4 *source, mat4 matrix)
 {
-	mat4 copy;
-	memcpy(copy, source, sizeof(copy));
-	glm_mat4_transpose(copy);
-	memcpy(matrix, copy, sizeof(copy));
+	memcpy(matrix, source, sizeof(mat4));
+	glm_mat4_transpose(matrix);
 }
 
 /* ---- nodes ---- */
@@ -51,7 +48,9 @@ static void add_node(struct rigging *rigging, const struct aiNode *node, uint32_
 	uint32_t index = (uint32_t)rigging->rig->node_count++;
 	struct rig_node *added = &rigging->rig->nodes[index];
 	added->parent = parent;
-	copy_matrix(&node->mTransformation, added->local);
+	mat4 local;
+	import_matrix(&node->mTransformation, local);
+	memcpy(added->local, local, sizeof(added->local));
 	rigging->sources[index] = node;
 	for (unsigned i = 0; i < node->mNumChildren; i++)
 		add_node(rigging, node->mChildren[i], index);
@@ -170,8 +169,10 @@ static bool add_bones(const struct rigging *rigging, const struct aiMesh *mesh, 
 	for (unsigned i = 0; i < mesh->mNumBones; i++) {
 		const struct aiBone *source = mesh->mBones[i];
 		struct bone *bone = &shape->bones[shape->bone_count++];
+		mat4 offset;
 		bone->node = find_node(rigging, source->mName.data);
-		copy_matrix(&source->mOffsetMatrix, bone->offset);
+		import_matrix(&source->mOffsetMatrix, offset);
+		memcpy(bone->offset, offset, sizeof(bone->offset));
 		if (bone->node != SM_NONE && all_finite(bone->offset, 16))
 			continue;
 		model_note(rigging->model, "%s: bone %s moves nothing: %s", rigging->path,

@@ -12,6 +12,9 @@ struct import_part {
 	const struct aiMesh *mesh;
 };
 
+/** assimp's matrices are row-major. */
+void import_matrix(const struct aiMatrix4x4 *source, mat4 matrix);
+
 /** Whether its vertices may move: it has bones or targets. Such a mesh must not be shared between
  *  objects. */
 bool import_deforms(const struct aiMesh *mesh);

@@ -388,7 +388,6 @@ int main(void)
 		cmocka_unit_test(missing_normals_are_made),
 		cmocka_unit_test(base_colors_become_linear),
 		cmocka_unit_test(a_gltf_material_is_single_sided_unless_it_is_double_sided),
-		cmocka_unit_test(a_gltf_material_is_single_sided_unless_it_is_double_sided),
 		cmocka_unit_test(the_camera_is_taken),
 		cmocka_unit_test(lights_are_taken),
 		cmocka_unit_test(a_png_texture_is_decoded),
