@@ -2,6 +2,7 @@
 #include "load/import.h"
 #include "base/log.h"
 #include "load/child.h"
+#include "load/gltf.h"
 #include "load/import_scene.h"
 #include <assimp/cimport.h>
 #include <assimp/config.h>
@@ -77,6 +78,10 @@ static bool read_model(void *data)
 		return import_fail(import, "without a scene");
 	if (!import_materials(import) || !import_objects(import))
 		return false;
+	if (import->is_gltf && import->scene->mNumAnimations > 0 && gltf_has_curves(import->path))
+		model_note(import->model,
+			"%s: steps and cubic splines of animations become straight lines",
+			import->path);
 	import_camera(import);
 	return import_lights(import);
 }

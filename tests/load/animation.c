@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "load/animation.h"
+#include "model_file.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -33,12 +34,6 @@ static const struct sm_mesh_desc mesh = {.positions = corners,
 	.indices = indices,
 	.index_count = 3};
 
-static void check(const float *got, const float *expected, size_t count)
-{
-	for (size_t i = 0; i < count; i++)
-		assert_float_equal(got[i], expected[i], 1e-5);
-}
-
 static void find(struct pose *pose, const struct rig *rig, const struct clip *clip, double seconds)
 {
 	struct sm_error error;
@@ -70,7 +65,7 @@ static void nodes_carry_their_children(void **state)
 		find(&pose, &rig, &clip, cases[i].seconds);
 		double angle = cases[i].degrees * M_PI / 180;
 		float c = (float)cos(angle), s = (float)sin(angle);
-		check(pose.transforms[0],
+		check_floats(pose.transforms[0],
 			(float[]){
 				c, s, 0, 0, -2 * s, 2 * c, 0, 0, 0, 0, 1, 0, 10 * c, 10 * s, 0, 1},
 			16);
@@ -101,7 +96,7 @@ static void positions_and_scales_are_even(void **state)
 	for (size_t i = 0; i < COUNT(cases); i++) {
 		struct pose pose;
 		find(&pose, &rig, &clip, cases[i].seconds);
-		check(pose.transforms[0],
+		check_floats(pose.transforms[0],
 			(float[]){cases[i].width, 0, 0, 0, 0, 1, 0, 0, 0, 0, cases[i].depth, 0,
 				cases[i].x, cases[i].y, 0, 1},
 			16);
@@ -126,7 +121,7 @@ static void rotations_take_the_shorter_way(void **state)
 	struct pose pose;
 	(void)state;
 	find(&pose, &rig, &clip, .5);
-	check(&pose.transforms[0][12], (float[]){8.660254f, 0, -5}, 3);
+	check_floats(&pose.transforms[0][12], (float[]){8.660254f, 0, -5}, 3);
 	pose_finish(&pose, &rig);
 }
 
@@ -163,15 +158,15 @@ static void targets_add_up(void **state)
 	struct pose pose;
 	(void)state;
 	find(&pose, &rig, NULL, 0);
-	check(pose.shapes[0].positions, (float[]){0, 0, -.5f, 1, 0, -.5f, 0, 1, -.5f}, 9);
-	check(pose.shapes[0].normals, (float[]){0, .5f, .5f, 0, .5f, .5f, 0, .5f, .5f}, 9);
+	check_floats(pose.shapes[0].positions, (float[]){0, 0, -.5f, 1, 0, -.5f, 0, 1, -.5f}, 9);
+	check_floats(pose.shapes[0].normals, (float[]){0, .5f, .5f, 0, .5f, .5f, 0, .5f, .5f}, 9);
 	/* The object is where its node is. */
 	assert_true(pose.transforms[0][12] == 10);
 	pose_find(&pose, &rig, &mesh, &clip, .5);
-	check(pose.shapes[0].positions, (float[]){0, 0, 1, 1, 0, 1, 0, 2, 1}, 9);
+	check_floats(pose.shapes[0].positions, (float[]){0, 0, 1, 1, 0, 1, 0, 2, 1}, 9);
 	pose_find(&pose, &rig, &mesh, &clip, 1.75);
-	check(pose.shapes[0].positions, (float[]){0, 0, 2, 1, 0, 2, 0, 3, 2}, 9);
-	check(pose.shapes[0].normals, (float[]){0, -2, 3, 0, -2, 3, 0, -2, 3}, 9);
+	check_floats(pose.shapes[0].positions, (float[]){0, 0, 2, 1, 0, 2, 0, 3, 2}, 9);
+	check_floats(pose.shapes[0].normals, (float[]){0, -2, 3, 0, -2, 3, 0, -2, 3}, 9);
 	pose_finish(&pose, &rig);
 }
 
@@ -210,11 +205,11 @@ static void bones_take_vertices_along(void **state)
 	(void)state;
 	find(&pose, &rig, &clip, 7);
 	/* A quarter turn about the x axis through (0, 1, 0): y goes to z. */
-	check(pose.shapes[0].positions, (float[]){10, 0, 0, 1, 1, -1, 0, 1, 0}, 9);
-	check(pose.shapes[0].normals, (float[]){0, 0, 1, 0, -1, 0, 0, -.75f, .25f}, 9);
-	check(pose.transforms[0], identity, 16);
+	check_floats(pose.shapes[0].positions, (float[]){10, 0, 0, 1, 1, -1, 0, 1, 0}, 9);
+	check_floats(pose.shapes[0].normals, (float[]){0, 0, 1, 0, -1, 0, 0, -.75f, .25f}, 9);
+	check_floats(pose.transforms[0], identity, 16);
 	pose_find(&pose, &rig, &mesh, NULL, 7);
-	check(pose.shapes[0].positions, (float[]){10, 0, 0, 1, 0, 0, 0, 1, 0}, 9);
+	check_floats(pose.shapes[0].positions, (float[]){10, 0, 0, 1, 0, 0, 0, 1, 0}, 9);
 	pose_finish(&pose, &rig);
 }
 

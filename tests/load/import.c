@@ -2,6 +2,7 @@
 #include "load/import.h"
 #include "base/log.h"
 #include "folder.h"
+#include "model_file.h"
 #include <math.h>
 #include <png.h>
 #include <setjmp.h>
@@ -21,22 +22,6 @@
 	"\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"," \
 	"\"min\":[0,0,0],\"max\":[1,1,0]}]," rest "}"
 
-static struct model *load(const char *path, enum plan_up up)
-{
-	struct sm_error error;
-	struct model *model = model_create(&error);
-	assert_non_null(model);
-	if (!import_model(path, up, model, &error))
-		fail_msg("%s", error.text);
-	return model;
-}
-
-static void check_floats(const float *got, const float *expected, size_t count)
-{
-	for (size_t i = 0; i < count; i++)
-		assert_float_equal(got[i], expected[i], 1e-5);
-}
-
 static void nodes_are_flattened(void **state)
 {
 	(void)state;
@@ -50,7 +35,7 @@ static void nodes_are_flattened(void **state)
 				   "{\"mesh\":0,\"translation\":[0,0,5]}]"));
 	/* Stretched, then a quarter turn about z, then moved; the points are left out. */
 	static const float wing[16] = {0, 2, 0, 0, -3, 0, 0, 0, 0, 0, 4, 0, 10, 0, 0, 1};
-	struct model *model = load(path, PLAN_UP_AUTO);
+	struct model *model = load_model(path, PLAN_UP_AUTO);
 	assert_int_equal(model->mesh_count, 1);
 	assert_int_equal(model->meshes[0].index_count, 3);
 	assert_int_equal(model->object_count, 2);
@@ -68,7 +53,7 @@ static void points_and_lines_are_left_out(void **state)
 	(void)state;
 	const char *path = folder_write_text(
 		"mixed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\np 3\nl 1 2 3\n");
-	struct model *model = load(path, PLAN_UP_AUTO);
+	struct model *model = load_model(path, PLAN_UP_AUTO);
 	size_t indices = 0;
 	for (size_t i = 0; i < model->mesh_count; i++)
 		indices += model->meshes[i].index_count;
@@ -82,7 +67,7 @@ static void missing_normals_are_made(void **state)
 	const char *path = folder_write_text("normals.gltf",
 		GLTF("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
 		     "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]"));
-	struct model *model = load(path, PLAN_UP_AUTO);
+	struct model *model = load_model(path, PLAN_UP_AUTO);
 	assert_non_null(model->meshes[0].normals);
 	check_floats(model->meshes[0].normals, (const float[3]){0, 0, 1}, 3);
 	model_destroy(model);
@@ -97,14 +82,14 @@ static void base_colors_become_linear(void **state)
 				   "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":"
 				   "[0.25,0.5,0.75,1]}}],\"meshes\":[{\"primitives\":"
 				   "[{\"material\":0,\"attributes\":{\"POSITION\":0}}]}]"));
-	struct model *model = load(path, PLAN_UP_AUTO);
+	struct model *model = load_model(path, PLAN_UP_AUTO);
 	check_floats(model->objects[0].base_color, (const float[3]){.25f, .5f, .75f}, 3);
 	model_destroy(model);
 
 	folder_write_text("color.mtl", "newmtl m\nKd 0.5 0 1\n");
 	path = folder_write_text(
 		"color.obj", "mtllib color.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-	model = load(path, PLAN_UP_AUTO);
+	model = load_model(path, PLAN_UP_AUTO);
 	check_floats(model->objects[0].base_color, (const float[3]){.2140411f, 0, 1}, 3);
 	model_destroy(model);
 }
@@ -125,12 +110,13 @@ static void a_gltf_material_is_single_sided_unless_it_is_double_sided(void **sta
 			     "\"materials\":[%s],\"meshes\":[{\"primitives\":"
 			     "[{\"material\":0,\"attributes\":{\"POSITION\":0}}]}]"),
 			cases[i].material);
-		struct model *model = load(folder_write_text("sides.gltf", text), PLAN_UP_AUTO);
+		struct model *model =
+			load_model(folder_write_text("sides.gltf", text), PLAN_UP_AUTO);
 		assert_int_equal(model->objects[0].single_sided, cases[i].single_sided);
 		model_destroy(model);
 	}
 	struct model *model =
-		load(folder_write_text("sides.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+		load_model(folder_write_text("sides.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
 			PLAN_UP_AUTO);
 	assert_false(model->objects[0].single_sided);
 	model_destroy(model);
@@ -148,7 +134,7 @@ static void the_camera_is_taken(void **state)
 		     "\"aspectRatio\":1.5}}],"
 		     "\"nodes\":[{\"mesh\":0},{\"camera\":0},{\"name\":\"eye\",\"camera\":1,"
 		     "\"translation\":[1,2,5],\"rotation\":[0,0.70710678,0,0.70710678]}]"));
-	struct model *model = load(path, PLAN_UP_AUTO);
+	struct model *model = load_model(path, PLAN_UP_AUTO);
 	assert_true(model->has_camera);
 	check_floats(model->camera.eye, (const float[3]){1, 2, 5}, 3);
 	check_floats(model->camera.target, (const float[3]){0, 2, 5}, 3);
@@ -176,7 +162,7 @@ static void lights_are_taken(void **state)
 		     "{\"name\":\"bulb\",\"translation\":[1,2,3],"
 		     "\"extensions\":{\"KHR_lights_punctual\":{\"light\":1}}},"
 		     "{\"name\":\"sun\",\"extensions\":{\"KHR_lights_punctual\":{\"light\":2}}}]"));
-	struct model *model = load(path, PLAN_UP_AUTO);
+	struct model *model = load_model(path, PLAN_UP_AUTO);
 	assert_int_equal(model->light_count, 3);
 	const struct model_light *lamp = &model->lights[0], *bulb = &model->lights[1],
 				 *sun = &model->lights[2];
@@ -222,7 +208,7 @@ static void a_png_texture_is_decoded(void **state)
 	(void)state;
 	write_png("colors.png");
 	for (int i = 0; i < 2; i++) {
-		struct model *model = load(write_textured("png.obj", names[i]), PLAN_UP_AUTO);
+		struct model *model = load_model(write_textured("png.obj", names[i]), PLAN_UP_AUTO);
 		assert_int_equal(model->image_count, 1);
 		assert_int_equal(model->images[0].width, 2);
 		assert_memory_equal(model->images[0].rgba, texels, sizeof(texels));
@@ -258,7 +244,7 @@ static void a_texture_that_fails_is_left_out_with_a_warning(void **state)
 		snprintf(expected, sizeof(expected), "%s: texture broken.png is left out: %s", path,
 			cases[i].problem);
 		log_set_sink(take_line, line);
-		struct model *model = load(path, PLAN_UP_AUTO);
+		struct model *model = load_model(path, PLAN_UP_AUTO);
 		log_set_sink(NULL, NULL);
 		assert_string_equal(line, expected);
 		assert_int_equal(model->image_count, 0);
@@ -275,7 +261,7 @@ static void an_embedded_texture_is_decoded(void **state)
 	if (file == NULL)
 		skip();
 	fclose(file);
-	struct model *model = load(path, PLAN_UP_AUTO);
+	struct model *model = load_model(path, PLAN_UP_AUTO);
 	assert_int_equal(model->image_count, 1);
 	assert_true(model->images[0].width > 1);
 	assert_int_equal(model->objects[0].image, 0);
@@ -286,7 +272,7 @@ static void an_embedded_texture_is_decoded(void **state)
 /* Where the file's z axis comes to point. */
 static void check_up(const char *path, enum plan_up up, bool is_z_up)
 {
-	struct model *model = load(path, up);
+	struct model *model = load_model(path, up);
 	const float *z = model->objects[0].transform + 8;
 	check_floats(z, is_z_up ? (const float[3]){0, 1, 0} : (const float[3]){0, 0, 1}, 3);
 	model_destroy(model);
@@ -335,7 +321,7 @@ static const char *write_3ds(bool with_mesh_version)
 /* Height of the model in world space: its triangle stands if y is up in the file. */
 static float height_of(const char *path, enum plan_up up)
 {
-	struct model *model = load(path, up);
+	struct model *model = load_model(path, up);
 	struct model_placement placement = {.transform = {[0] = 1, [5] = 1, [10] = 1, [15] = 1}};
 	float box[2][3] = {{9, 9, 9}, {-9, -9, -9}};
 	model_grow_box(model, NULL, &placement, false, box);
