@@ -3,11 +3,11 @@
 #include "app/bench_output.h"
 #include "app/bench_paper.h"
 #include "app/bench_stress.h"
+#include "app/offscreen.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/scene_options.h"
-#include "app/target.h"
 #include "base/log.h"
 #include "bench/compare.h"
 #include "bench/contents.h"
@@ -76,9 +76,9 @@ static void note_fact(void *data, const char *key, const char *value)
 
 static bool check_size(struct bench_size size, struct sm_error *error)
 {
-	struct target target;
-	bool fits = target_init(&target, TARGET_PICTURE, size.width, size.height, 1, error);
-	target_finish(&target);
+	struct offscreen target;
+	bool fits = offscreen_init(&target, OFFSCREEN_PICTURE, size.width, size.height, 1, error);
+	offscreen_finish(&target);
 	return fits;
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/bench_timing.h"
 #include "app/memory_parts.h"
+#include "app/offscreen.h"
 #include "app/stopwatch.h"
-#include "app/target.h"
 #include "base/array.h"
 #include "bench/statistics.h"
 #include "platform.h"
@@ -32,7 +32,7 @@ struct contender {
 /* All that a measurement holds. */
 struct bench {
 	const struct timing_request *request;
-	struct target target;
+	struct offscreen target;
 	struct contender *contenders; /* owned: [request->count] */
 };
 
@@ -167,8 +167,8 @@ static bool init(struct bench *bench, struct sm_error *error)
 	for (size_t i = 0; i < request->count; i++)
 		if (!contender_init(&bench->contenders[i], request, &request->shadow[i], error))
 			return false;
-	return target_init(
-		&bench->target, TARGET_PICTURE, request->width, request->height, 1, error);
+	return offscreen_init(
+		&bench->target, OFFSCREEN_PICTURE, request->width, request->height, 1, error);
 }
 
 static void finish(struct bench *bench)
@@ -176,7 +176,7 @@ static void finish(struct bench *bench)
 	for (size_t i = 0; bench->contenders != NULL && i < bench->request->count; i++)
 		contender_finish(&bench->contenders[i]);
 	free(bench->contenders);
-	target_finish(&bench->target);
+	offscreen_finish(&bench->target);
 }
 
 static struct time_summary sum_up(const struct contender *contender, uint32_t rounds)

@@ -36,8 +36,8 @@ struct timing {
  * is drawn in a round, and rounds start with another each time: so a machine whose speed drifts is
  * equally fast for all.
  *
- * timings: [count], filled. Fails as sm_renderer_draw() and target_init() do, (MACHINE) for lack of
- * memory.
+ * timings: [count], filled. Fails as sm_renderer_draw() and offscreen_init() do, (MACHINE) for lack
+ * of memory.
  */
 bool timing_measure(
 	const struct timing_request *request, struct timing *timings, struct sm_error *error);

@@ -7,7 +7,8 @@
 bool bench_view_init(struct bench_view *view, struct sm_error *error)
 {
 	const struct stage_output *output = &view->stage.output;
-	if (!target_init(&view->target, TARGET_VISIBILITY, output->width, output->height, 1, error))
+	if (!offscreen_init(
+		    &view->target, OFFSCREEN_VISIBILITY, output->width, output->height, 1, error))
 		return false;
 	/* The target is within the driver's limits: below 2^32 pixels. */
 	view->pixels = (size_t)output->width * output->height;
@@ -31,9 +32,9 @@ bool bench_view_draw(struct bench_view *view, struct sm_renderer *renderer, int 
 		.visibility_of = 0,
 	};
 	if (!sm_renderer_draw(renderer, view->stage.scene, &drawn, error) ||
-		!target_read(&view->target, view->rgba, error))
+		!offscreen_read(&view->target, view->rgba, error))
 		return false;
-	target_decode_visibility(&view->target, view->rgba, view->seen[which]);
+	offscreen_decode_visibility(&view->target, view->rgba, view->seen[which]);
 	return true;
 }
 
@@ -42,6 +43,6 @@ void bench_view_finish(struct bench_view *view)
 	free(view->rgba);
 	free(view->seen[0]);
 	free(view->seen[1]);
-	target_finish(&view->target);
+	offscreen_finish(&view->target);
 	stage_finish(&view->stage);
 }

@@ -2,13 +2,13 @@
 #ifndef APP_BENCH_VIEW_H
 #define APP_BENCH_VIEW_H
 
-#include "app/target.h"
+#include "app/offscreen.h"
 #include "load/stage.h"
 
 /** The visibility of a scene's first light in two pictures. Zero is empty. */
 struct bench_view {
 	struct stage stage; /**< of the pictures' size */
-	struct target target;
+	struct offscreen target;
 	size_t pixels;
 	float *seen[2]; /**< [pixels], owned: shares of the light, rows from the top */
 	uint8_t *rgba;  /**< owned: a picture as it was read */

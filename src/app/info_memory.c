@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/info_memory.h"
 #include "app/memory_parts.h"
-#include "app/target.h"
+#include "app/offscreen.h"
 #include "platform.h"
 
 static bool draw(struct sm_renderer *renderer, const struct stage *stage,
-	const struct target *target, struct sm_error *error)
+	const struct offscreen *target, struct sm_error *error)
 {
 	const struct sm_view view = {
 		.camera = stage->camera,
@@ -37,18 +37,18 @@ bool info_memory(const struct common_options *common, const struct driver_option
 	const struct scene_options *scene, bool json, struct sm_error *error)
 {
 	struct stage stage = {0};
-	struct target target = {0};
+	struct offscreen target = {0};
 	struct platform *platform = NULL;
 	struct sm_renderer *renderer = NULL;
 	bool done = scene_options_load(scene, &stage, error) &&
 		    (platform = platform_create(common->device, common->debug, error)) != NULL &&
 		    (renderer = driver_options_renderer(driver, error)) != NULL &&
-		    target_init(&target, TARGET_PICTURE, stage.output.width, stage.output.height,
-			    stage.output.samples, error) &&
+		    offscreen_init(&target, OFFSCREEN_PICTURE, stage.output.width,
+			    stage.output.height, stage.output.samples, error) &&
 		    draw(renderer, &stage, &target, error) &&
 		    print_parts(renderer, stage.scene, json, error);
 	sm_renderer_destroy(renderer);
-	target_finish(&target);
+	offscreen_finish(&target);
 	platform_destroy(platform);
 	stage_finish(&stage);
 	return done;

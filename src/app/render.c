@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/driver_options.h"
 #include "app/facts.h"
+#include "app/offscreen.h"
 #include "app/output.h"
 #include "app/program_store.h"
 #include "app/progress.h"
@@ -8,7 +9,6 @@
 #include "app/scene_options.h"
 #include "app/sequence.h"
 #include "app/stopwatch.h"
-#include "app/target.h"
 #include "base/array.h"
 #include "load/motion.h"
 #include "page/png.h"
@@ -64,7 +64,7 @@ struct render {
 	struct platform *platform;
 	struct program_store programs;
 	struct sm_renderer *renderer;
-	struct target target;
+	struct offscreen target;
 	uint8_t *pixels; /* R,G,B,A of the whole target */
 	struct stopwatch stopwatch;
 };
@@ -221,7 +221,7 @@ static bool init_target(
 {
 	const struct stage_output *output = &render->stage.output;
 	bool picture = options->visibility_of == SM_NONE;
-	if (!target_init(&render->target, picture ? TARGET_PICTURE : TARGET_VISIBILITY,
+	if (!offscreen_init(&render->target, picture ? OFFSCREEN_PICTURE : OFFSCREEN_VISIBILITY,
 		    output->width, output->height, picture ? output->samples : 1, error))
 		return false;
 	render->pixels = array_alloc(output->height, 4 * (size_t)output->width);
@@ -252,7 +252,7 @@ static bool start(
 static bool write_frame(struct render *render, const struct render_options *options,
 	const char *path, struct sm_error *error)
 {
-	const struct target *target = &render->target;
+	const struct offscreen *target = &render->target;
 	struct png png;
 	bool encoded = options->visibility_of == SM_NONE
 			       ? png_init_picture(
@@ -290,8 +290,8 @@ static bool draw_frame(struct render *render, const struct render_options *optio
 		return false;
 	glFinish();
 	stopwatch_lap(&render->stopwatch, first ? "first frame" : "further frames");
-	target_resolve(&render->target);
-	if (!target_read(&render->target, render->pixels, error))
+	offscreen_resolve(&render->target);
+	if (!offscreen_read(&render->target, render->pixels, error))
 		return false;
 	stopwatch_lap(&render->stopwatch, "read back");
 	return true;
@@ -352,7 +352,7 @@ static void print_stats(const struct render *render, FILE *file)
 static void finish(struct render *render)
 {
 	free(render->pixels);
-	target_finish(&render->target);
+	offscreen_finish(&render->target);
 	sm_renderer_destroy(render->renderer);
 	program_store_finish(&render->programs);
 	platform_destroy(render->platform);

@@ -58,7 +58,7 @@ bool screen_fit(struct screen *screen, const struct display_target *wanted, stru
 	if (is_same(&screen->wanted, wanted))
 		return true;
 	screen_finish(screen);
-	if (!target_init(&screen->target, TARGET_PICTURE, wanted->width, wanted->height,
+	if (!offscreen_init(&screen->target, OFFSCREEN_PICTURE, wanted->width, wanted->height,
 		    stage->output.samples, error))
 		return false;
 	stage_set_size(stage, wanted->width, wanted->height);
@@ -114,9 +114,9 @@ bool screen_draw(struct screen *screen, struct sm_renderer *renderer, const stru
 	};
 	if (!sm_renderer_draw(renderer, stage->scene, &view, error))
 		return false;
-	target_resolve(&screen->target);
+	offscreen_resolve(&screen->target);
 	if (!needs_copy(wanted))
-		return target_read(&screen->target, screen->pixels, error);
+		return offscreen_read(&screen->target, screen->pixels, error);
 	return sm_renderer_copy_to_screen(renderer, &copy, error) &&
 	       (!wanted->takes_pixels || read_pixels(screen, error));
 }
@@ -128,6 +128,6 @@ void screen_finish(struct screen *screen)
 		glDeleteRenderbuffers(1, &screen->buffer);
 	}
 	free(screen->pixels);
-	target_finish(&screen->target);
+	offscreen_finish(&screen->target);
 	*screen = (struct screen){0};
 }

@@ -2,21 +2,21 @@
 #ifndef APP_SCREEN_H
 #define APP_SCREEN_H
 
-#include "app/target.h"
+#include "app/offscreen.h"
 #include "display.h"
 #include "load/stage.h"
 
 /** Pictures of a stage in the form that a display wants; zero is empty. */
 struct screen {
 	struct display_target wanted; /**< what all below was made for */
-	struct target target;
+	struct offscreen target;
 	/* For displays that take pixels: */
 	uint8_t *pixels;              /**< R,G,B,A of the screen, rows from the bottom; owned */
 	uint32_t framebuffer, buffer; /**< GL names, as large as the screen; 0: `target` will do */
 };
 
 /** Makes it, and the stage, what the display wants. Where that differs from before, the stage's
- *  time is 0 again. Fails as target_init() does. */
+ *  time is 0 again. Fails as offscreen_init() does. */
 bool screen_fit(struct screen *screen, const struct display_target *wanted, struct stage *stage,
 	struct sm_error *error);
 

@@ -13,16 +13,16 @@
 
 /* A pass over the picture. */
 struct pass {
-	struct picture *picture;
+	struct ref_picture *picture;
 	atomic_size_t done;  /* pixels */
 	size_t pixels;       /* that it works on */
 	double start, share; /* of the whole */
 };
 
-bool picture_init(
-	struct picture *picture, const struct reference_request *request, struct sm_error *error)
+bool ref_picture_init(struct ref_picture *picture, const struct reference_request *request,
+	struct sm_error *error)
 {
-	*picture = (struct picture){.request = request};
+	*picture = (struct ref_picture){.request = request};
 	size_t pixels = (size_t)request->width * request->height;
 	if (!tracer_init(&picture->tracer, request->scene, error) ||
 		!pinhole_init(&picture->pinhole, &request->camera, request->width, request->height,
@@ -39,22 +39,22 @@ bool picture_init(
 	}
 	return true;
 fail:
-	picture_finish(picture);
+	ref_picture_finish(picture);
 	return false;
 }
 
-void picture_finish(struct picture *picture)
+void ref_picture_finish(struct ref_picture *picture)
 {
 	tracer_finish(&picture->tracer);
 	disc_finish(&picture->coarse);
 	disc_finish(&picture->fine);
 	free(picture->seen);
 	free(picture->visibility);
-	*picture = (struct picture){0};
+	*picture = (struct ref_picture){0};
 }
 
 /* What a pixel looks at, and the way from there to the light; false where it is not judged. */
-static bool look(const struct picture *picture, uint32_t x, uint32_t y, struct surface *surface,
+static bool look(const struct ref_picture *picture, uint32_t x, uint32_t y, struct surface *surface,
 	struct fan *fan)
 {
 	struct sight sight;
@@ -78,7 +78,7 @@ static void turn(struct fan *fan, uint64_t bits)
 }
 
 static enum seen classify(
-	const struct picture *picture, const struct surface *surface, const struct fan *fan)
+	const struct ref_picture *picture, const struct surface *surface, const struct fan *fan)
 {
 	const struct disc *disc = &picture->coarse;
 	/* A point needs no more than one ray. */
@@ -95,7 +95,7 @@ static void classify_row(void *data, uint32_t y)
 	static const float visibility[] = {
 		[SEEN_UNJUDGED] = NAN, [SEEN_DARK] = 0.0f, [SEEN_PART] = NAN, [SEEN_LIT] = 1.0f};
 	struct pass *pass = data;
-	struct picture *picture = pass->picture;
+	struct ref_picture *picture = pass->picture;
 	uint32_t width = picture->pinhole.width;
 	size_t first = (size_t)y * width;
 	for (uint32_t x = 0; x < width; x++) {
@@ -113,7 +113,7 @@ static void classify_row(void *data, uint32_t y)
 }
 
 /* What is missed by the coarse samples of one pixel is not by all of its neighbours. */
-static bool is_near_change(const struct picture *picture, uint32_t x, uint32_t y)
+static bool is_near_change(const struct ref_picture *picture, uint32_t x, uint32_t y)
 {
 	uint32_t width = picture->pinhole.width, height = picture->pinhole.height;
 	uint8_t own = picture->seen[(size_t)y * width + x];
@@ -127,7 +127,7 @@ static bool is_near_change(const struct picture *picture, uint32_t x, uint32_t y
 	return false;
 }
 
-static bool is_refined(const struct picture *picture, uint32_t x, uint32_t y)
+static bool is_refined(const struct ref_picture *picture, uint32_t x, uint32_t y)
 {
 	enum seen seen = picture->seen[(size_t)y * picture->pinhole.width + x];
 	return seen == SEEN_PART || (seen != SEEN_UNJUDGED && is_near_change(picture, x, y));
@@ -136,7 +136,7 @@ static bool is_refined(const struct picture *picture, uint32_t x, uint32_t y)
 static void refine_row(void *data, uint32_t y)
 {
 	struct pass *pass = data;
-	struct picture *picture = pass->picture;
+	struct ref_picture *picture = pass->picture;
 	const struct disc *disc = &picture->fine;
 	uint32_t width = picture->pinhole.width;
 	for (uint32_t x = 0; x < width; x++) {
@@ -155,7 +155,7 @@ static void refine_row(void *data, uint32_t y)
 	}
 }
 
-static size_t count_refined(const struct picture *picture)
+static size_t count_refined(const struct ref_picture *picture)
 {
 	size_t count = 0;
 	for (uint32_t y = 0; y < picture->pinhole.height; y++)
@@ -187,7 +187,7 @@ static void run_pass(struct pass *pass, void (*work)(void *data, uint32_t row))
 	report(pass);
 }
 
-void picture_trace(struct picture *picture)
+void ref_picture_trace(struct ref_picture *picture)
 {
 	struct pass coarse = {
 		.picture = picture,

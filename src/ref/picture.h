@@ -11,7 +11,7 @@
 enum seen { SEEN_UNJUDGED, SEEN_DARK, SEEN_PART, SEEN_LIT };
 
 /** A reference in the making. */
-struct picture {
+struct ref_picture {
 	const struct reference_request *request; /* not owned */
 	struct tracer tracer;
 	struct pinhole pinhole;
@@ -24,10 +24,10 @@ struct picture {
 };
 
 /** Fails as reference_trace(), which has checked size, light and samples. */
-bool picture_init(
-	struct picture *picture, const struct reference_request *request, struct sm_error *error);
+bool ref_picture_init(struct ref_picture *picture, const struct reference_request *request,
+	struct sm_error *error);
 /** Fills visibility. */
-void picture_trace(struct picture *picture);
-void picture_finish(struct picture *picture);
+void ref_picture_trace(struct ref_picture *picture);
+void ref_picture_finish(struct ref_picture *picture);
 
 #endif

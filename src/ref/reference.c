@@ -54,13 +54,13 @@ static bool load(struct reference *reference, const struct reference_request *re
 static bool trace(struct reference *reference, const struct reference_request *request,
 	struct sm_error *error)
 {
-	struct picture picture;
-	if (!picture_init(&picture, request, error))
+	struct ref_picture picture;
+	if (!ref_picture_init(&picture, request, error))
 		return false;
-	picture_trace(&picture);
+	ref_picture_trace(&picture);
 	reference->visibility = picture.visibility;
 	picture.visibility = NULL;
-	picture_finish(&picture);
+	ref_picture_finish(&picture);
 	return true;
 }
 

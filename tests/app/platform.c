@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A context without a window: it draws, it says what it is, it can be opened again. */
 #include "platform.h"
-#include "app/target.h"
+#include "app/offscreen.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -92,11 +92,11 @@ static void test_description_names_the_device(void **state)
 }
 
 /* Half of the picture is cleared, so that one read upside down or of the wrong buffer shows. */
-static void assert_reads_back(enum target_kind kind, uint32_t samples)
+static void assert_reads_back(enum offscreen_kind kind, uint32_t samples)
 {
-	struct target target;
+	struct offscreen target;
 	uint8_t rgba[5 * 4 * 4];
-	assert_true(target_init(&target, kind, 5, 4, samples, NULL));
+	assert_true(offscreen_init(&target, kind, 5, 4, samples, NULL));
 	glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
 	glClearColor(0, 0, 0, 1);
 	glClear(GL_COLOR_BUFFER_BIT);
@@ -105,16 +105,16 @@ static void assert_reads_back(enum target_kind kind, uint32_t samples)
 	glClearColor(1, 0, .5f, 1);
 	glClear(GL_COLOR_BUFFER_BIT);
 	glDisable(GL_SCISSOR_TEST);
-	target_resolve(&target);
-	assert_true(target_read(&target, rgba, NULL));
+	offscreen_resolve(&target);
+	assert_true(offscreen_read(&target, rgba, NULL));
 	for (size_t i = 0; i < 20; i++) {
 		/* 0.5 is the byte 188 in sRGB (IEC 61966-2-1), 128 as it stands. */
-		int half = kind == TARGET_PICTURE ? 188 : 128;
+		int half = kind == OFFSCREEN_PICTURE ? 188 : 128;
 		assert_int_equal(rgba[4 * i], i < 10 ? 255 : 0);
 		assert_in_range(rgba[4 * i + 2], i < 10 ? half - 1 : 0, i < 10 ? half + 1 : 0);
 		assert_int_equal(rgba[4 * i + 3], 255);
 	}
-	target_finish(&target);
+	offscreen_finish(&target);
 	assert_int_equal(glGetError(), GL_NO_ERROR);
 }
 
@@ -122,10 +122,10 @@ static void test_targets_read_back_what_was_drawn(void **state)
 {
 	(void)state;
 	struct platform *platform = open_platform("surfaceless", false);
-	assert_reads_back(TARGET_PICTURE, 1);
-	assert_reads_back(TARGET_PICTURE, 4);
-	assert_reads_back(TARGET_PICTURE, 1000);
-	assert_reads_back(TARGET_VISIBILITY, 1);
+	assert_reads_back(OFFSCREEN_PICTURE, 1);
+	assert_reads_back(OFFSCREEN_PICTURE, 4);
+	assert_reads_back(OFFSCREEN_PICTURE, 1000);
+	assert_reads_back(OFFSCREEN_VISIBILITY, 1);
 	platform_destroy(platform);
 }
 
@@ -137,12 +137,12 @@ static void test_targets_refuse_sizes_beyond_the_driver(void **state)
 	struct platform *platform = open_platform("surfaceless", false);
 	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
 		struct sm_error error;
-		struct target target;
-		assert_false(
-			target_init(&target, TARGET_PICTURE, sizes[i][0], sizes[i][1], 4, &error));
+		struct offscreen target;
+		assert_false(offscreen_init(
+			&target, OFFSCREEN_PICTURE, sizes[i][0], sizes[i][1], 4, &error));
 		assert_int_equal(error.status, SM_ERROR_INPUT);
 		assert_non_null(strstr(error.text, "this driver draws 1x1 to "));
-		target_finish(&target);
+		offscreen_finish(&target);
 	}
 	platform_destroy(platform);
 }

@@ -17,7 +17,7 @@ struct tally {
 	double found_by, missed_by; /* how far the coarse samples are off there, at most */
 };
 
-static double measure(const struct picture *picture, uint32_t x, uint32_t y)
+static double measure(const struct ref_picture *picture, uint32_t x, uint32_t y)
 {
 	struct sight sight;
 	struct surface surface;
@@ -31,7 +31,8 @@ static double measure(const struct picture *picture, uint32_t x, uint32_t y)
 	       disc->count;
 }
 
-static void add_pixel(struct tally *tally, const struct picture *picture, uint32_t x, uint32_t y)
+static void add_pixel(
+	struct tally *tally, const struct ref_picture *picture, uint32_t x, uint32_t y)
 {
 	enum seen seen = picture->seen[y * SIZE + x];
 	if (seen == SEEN_UNJUDGED)
@@ -55,7 +56,7 @@ static void add_pixel(struct tally *tally, const struct picture *picture, uint32
 static struct tally trace(const char *scene, const char *radius)
 {
 	struct tally tally = {0};
-	struct picture picture;
+	struct ref_picture picture;
 	struct stage stage;
 	struct sm_error error;
 	const char *settings[] = {radius};
@@ -66,12 +67,12 @@ static struct tally trace(const char *scene, const char *radius)
 		.width = SIZE,
 		.height = SIZE,
 		.samples = REFERENCE_SAMPLES};
-	if (!picture_init(&picture, &request, &error))
+	if (!ref_picture_init(&picture, &request, &error))
 		fail_msg("%s", error.text);
-	picture_trace(&picture);
+	ref_picture_trace(&picture);
 	for (uint32_t i = 0; i < SIZE * SIZE; i++)
 		add_pixel(&tally, &picture, i % SIZE, i / SIZE);
-	picture_finish(&picture);
+	ref_picture_finish(&picture);
 	stage_finish(&stage);
 	return tally;
 }

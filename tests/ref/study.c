@@ -60,7 +60,7 @@ struct comparison {
 
 static float *trace(const struct study *study, const struct stage *stage, double lift)
 {
-	struct picture picture;
+	struct ref_picture picture;
 	struct sm_error error;
 	const struct reference_request request = {
 		.scene = stage->scene,
@@ -69,13 +69,13 @@ static float *trace(const struct study *study, const struct stage *stage, double
 		.height = SIZE,
 		.samples = study->samples > 0 ? study->samples : REFERENCE_SAMPLES,
 	};
-	if (!picture_init(&picture, &request, &error))
+	if (!ref_picture_init(&picture, &request, &error))
 		fail_msg("%s", error.text);
 	picture.lift = lift * picture.tracer.scale;
-	picture_trace(&picture);
+	ref_picture_trace(&picture);
 	float *visibility = picture.visibility;
 	picture.visibility = NULL;
-	picture_finish(&picture);
+	ref_picture_finish(&picture);
 	return visibility;
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "app/target.h"
+#include "app/offscreen.h"
 #include "base/error.h"
 #include "base/log.h"
 #include <GLES3/gl3.h>
@@ -34,7 +34,7 @@ static GLsizei available_samples(GLenum color, uint32_t wanted)
 	return max > 1 ? max : 0;
 }
 
-static void attach_buffer(const struct target *target, GLenum attachment, uint32_t buffer,
+static void attach_buffer(const struct offscreen *target, GLenum attachment, uint32_t buffer,
 	GLenum format, GLsizei samples)
 {
 	glBindRenderbuffer(GL_RENDERBUFFER, buffer);
@@ -43,7 +43,7 @@ static void attach_buffer(const struct target *target, GLenum attachment, uint32
 	glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
 }
 
-static void attach_texture(const struct target *target, GLenum format)
+static void attach_texture(const struct offscreen *target, GLenum format)
 {
 	glBindTexture(GL_TEXTURE_2D, target->texture);
 	glTexStorage2D(GL_TEXTURE_2D, 1, format, (GLsizei)target->width, (GLsizei)target->height);
@@ -54,7 +54,7 @@ static void attach_texture(const struct target *target, GLenum format)
 	glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-static bool check_complete(const struct target *target, struct sm_error *error)
+static bool check_complete(const struct offscreen *target, struct sm_error *error)
 {
 	GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
 	GLenum code = glGetError();
@@ -65,11 +65,11 @@ static bool check_complete(const struct target *target, struct sm_error *error)
 		target->width, target->height, code, status);
 }
 
-bool target_init(struct target *target, enum target_kind kind, uint32_t width, uint32_t height,
-	uint32_t samples, struct sm_error *error)
+bool offscreen_init(struct offscreen *target, enum offscreen_kind kind, uint32_t width,
+	uint32_t height, uint32_t samples, struct sm_error *error)
 {
-	GLenum format = kind == TARGET_PICTURE ? GL_SRGB8_ALPHA8 : GL_RGBA8;
-	*target = (struct target){.width = width, .height = height};
+	GLenum format = kind == OFFSCREEN_PICTURE ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+	*target = (struct offscreen){.width = width, .height = height};
 	if (!check_size(width, height, error))
 		return false;
 	GLsizei multisamples = available_samples(format, samples);
@@ -93,7 +93,7 @@ bool target_init(struct target *target, enum target_kind kind, uint32_t width, u
 	return check_complete(target, error);
 }
 
-void target_resolve(const struct target *target)
+void offscreen_resolve(const struct offscreen *target)
 {
 	GLint width = (GLint)target->width, height = (GLint)target->height;
 	if (target->resolved == target->framebuffer)
@@ -104,7 +104,7 @@ void target_resolve(const struct target *target)
 		0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-bool target_read(const struct target *target, uint8_t *rgba, struct sm_error *error)
+bool offscreen_read(const struct offscreen *target, uint8_t *rgba, struct sm_error *error)
 {
 	glBindFramebuffer(GL_FRAMEBUFFER, target->resolved);
 	glReadPixels(0, 0, (GLsizei)target->width, (GLsizei)target->height, GL_RGBA,
@@ -115,7 +115,7 @@ bool target_read(const struct target *target, uint8_t *rgba, struct sm_error *er
 		       "reading the picture back fails (GL error 0x%04x)", code);
 }
 
-void target_decode_visibility(const struct target *target, const uint8_t *rgba, float *seen)
+void offscreen_decode_visibility(const struct offscreen *target, const uint8_t *rgba, float *seen)
 {
 	uint32_t width = target->width, height = target->height;
 	for (uint32_t y = 0; y < height; y++) {
@@ -126,7 +126,7 @@ void target_decode_visibility(const struct target *target, const uint8_t *rgba, 
 	}
 }
 
-void target_finish(struct target *target)
+void offscreen_finish(struct offscreen *target)
 {
 	if (target->framebuffer != 0) {
 		if (target->resolved != target->framebuffer)
@@ -135,5 +135,5 @@ void target_finish(struct target *target)
 		glDeleteRenderbuffers(2, target->buffers);
 		glDeleteTextures(1, &target->texture);
 	}
-	*target = (struct target){0};
+	*target = (struct offscreen){0};
 }
