@@ -4,6 +4,7 @@
  */
 #include "expect.h"
 #include "load/import.h"
+#include "model_rig.h"
 #include "number.h"
 #include "stage_check.h"
 #include <math.h>
@@ -110,7 +111,7 @@ bool import_model(const char *path, enum plan_up up, struct model *model, struct
 	(void)error;
 	size_t meshes = 1 + take_byte(&numbers) % 2, objects = 1 + take_byte(&numbers) % 3;
 	size_t lights = take_byte(&numbers) % 3;
-	expect(model_reserve(model, meshes, objects));
+	expect(model_reserve(model, meshes + objects, objects));
 	while (model->mesh_count < meshes)
 		take_mesh(model, &model->meshes[model->mesh_count++]);
 	while (model->object_count < objects)
@@ -120,6 +121,8 @@ bool import_model(const char *path, enum plan_up up, struct model *model, struct
 		take_light(model, &model->lights[model->light_count++]);
 	if (take_byte(&numbers) % 2)
 		take_camera(model);
+	if (take_byte(&numbers) % 2)
+		take_rig(&numbers, model);
 	return true;
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the corpora of meshes and models that fuzzing starts from, in the bytes of mesh.c, model.c
-and number.c:  tests/fuzz/seeds.py"""
+"""Writes the corpora of meshes and models that fuzzing starts from, in the bytes of mesh.c, model.c,
+model_rig.c and number.c:  tests/fuzz/seeds.py"""
 import math
 import pathlib
 import struct
@@ -97,6 +97,49 @@ def model_light(flags, position, direction, fade):
     return bytes([flags]) + b"li" + numbers([1] + position + direction + fade)
 
 
+def track(times, values):
+    return bytes([len(times) - 1]) + numbers(times) + numbers(flat(values))
+
+
+def channel(node, times, positions=((0, 0, 0),), rotations=((0, 0, 0, 1),), scales=((1, 1, 1),)):
+    tracks = b"".join(track(times[:len(values)], values) for values in (positions, rotations, scales))
+    return bytes([node]) + tracks
+
+
+def target(positions, normals=()):
+    return bytes([1 if normals else 0]) + numbers(positions) + numbers(normals)
+
+
+def shape(weights, targets, bones, vertices):
+    """bones: node and offset; vertices: of each, its bones."""
+    data = bytes([len(weights)]) + numbers(weights) + b"".join(targets) + bytes([len(bones)])
+    data += b"".join(bytes([node]) + numbers(offset) for node, offset in bones)
+    return data + b"".join(bytes([len(taken)] + taken) for taken in vertices)
+
+
+def clip(duration, channels, blends=()):
+    blended = b"".join(bytes([1]) + blend for blend in blends)
+    return numbers([duration]) + bytes([len(channels)]) + b"".join(channels) + blended
+
+
+def rig(parents, object_nodes, shapes, clips, lights=(), camera=0):
+    """parents: of all nodes but the first; object_nodes: less 1; shapes: by object."""
+    data = bytes([1, len(parents) - 1]) + numbers(IDENTITY)
+    data += b"".join(bytes([parent]) + numbers(IDENTITY) for parent in parents)
+    data += bytes(object_nodes) + bytes([sum(1 << i for i in shapes)])
+    data += b"".join(shapes[i] for i in sorted(shapes)) + bytes([len(clips)]) + b"".join(clips)
+    return data + bytes(lights) + bytes([camera])
+
+
+NO_CAMERA = bytes([0])
+SECOND = [0, 0.5, 1]
+WALK = channel(1, SECOND, [(0, 0, 0), (1, 0, 0), (1, 2, 0)])
+TURN = channel(2, SECOND, rotations=[(0, 0, 0, 1), (0, 1, 0, 0), (0, 0, 0, -1)])
+GROW = channel(1, SECOND, scales=[(1, 1, 1), (0, 0, 0), (-2, 2, 2)])
+SWELL = target([value / 2 for value in flat(CUBE)])
+BENT = shape([], [], [(1, IDENTITY), (2, [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0])],
+             [[0], [0, 1], [1], [], [0, 1, 1], [1], [1], [0]])
+
 CAMERA = bytes([1]) + numbers([3, 3, 3, -0.5, -0.5, -0.5, 0, 1, 0, 0]) + bytes([99])
 ONE = model_mesh(CUBE, CUBE_FACES)
 TWO = ONE + model_mesh(TETRAHEDRON, TETRAHEDRON_FACES)
@@ -125,6 +168,26 @@ MODELS = {
                      model_light(4, ["nan", 0, 0], [0, "inf", 0], [0, 0, 0]),
     "huge": bytes([0, 0, 0]) + ONE + model_object(0, [1e15, 0, 0, 0, 1e15, 0, 0, 0, 1e15, 0, 0, 0]),
     "not-finite": bytes([0, 0, 0]) + ONE + model_object(0, ["nan"] * 12),
+    "walk": bytes([0, 0, 0]) + ONE + model_object(0) + NO_CAMERA +
+            rig([0, 1], [0], {}, [clip(1, [WALK])]),
+    "turn-with-camera": bytes([0, 0, 1]) + ONE + model_object(0) + SPOT + CAMERA +
+                        rig([0, 1], [1], {}, [clip(1, [TURN, GROW]), clip(0, [])], [2], 2),
+    "skin": bytes([0, 0, 0]) + ONE + model_object(0) + NO_CAMERA +
+            rig([0, 1], [0], {0: BENT}, [clip(2, [WALK, TURN])]),
+    "morph": bytes([0, 0, 0]) + ONE + model_object(0) + NO_CAMERA +
+             rig([0], [0], {0: shape([0.25, 0], [SWELL, target(["nan"] * 24)], [], [])},
+                 [clip(1, [], [track(SECOND, [(0, 0), (1, 0), (0, 1)])])]),
+    "morph-on-bones": bytes([0, 2, 0]) + ONE + model_object(0) * 3 + NO_CAMERA +
+                      rig([0, 1], [0, 1, 1],
+                          {0: shape([0.5], [SWELL], [(2, IDENTITY)], [[0]] * 8), 2: BENT},
+                          [clip(1, [TURN], [track([0, 1], [(0,), (-3,)])])]),
+    "bones-far-away": bytes([0, 0, 0]) + ONE + model_object(0) + NO_CAMERA +
+                      rig([0, 1], [0], {0: BENT}, [clip(1, [
+                          channel(2, SECOND, [(0, 0, 0), (1e19, 0, 0), ("max", "max", 0)])])]),
+    "times-at-the-end": bytes([0, 0, 0]) + ONE + model_object(0) + NO_CAMERA +
+                        rig([0, 1], [0], {}, [clip("denormal", [
+                            channel(1, [-3, "denormal", "max"], [(0, 0, 0), (1, 0, 0), (2, 0, 0)])
+                        ])]),
 }
 
 

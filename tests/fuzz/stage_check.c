@@ -39,7 +39,9 @@ void expect_sound_stage(struct stage *stage)
 	expect_sound_camera(&stage->camera);
 	expect_near_enough(&stage->camera);
 	for (size_t i = 0; i < sizeof(times) / sizeof(*times); i++) {
-		if (!stage_set_time(stage, times[i], &error))
+		if (stage_set_time(stage, times[i], &error))
+			expect_sound_scene(stage->scene);
+		else
 			expect_clear_error(&error);
 		expect_sound_camera(&stage->camera);
 	}
