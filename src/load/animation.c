@@ -25,33 +25,28 @@ void rig_node_rest(const struct rig *rig, uint32_t node, mat4 transform)
 	}
 }
 
-static size_t most_bones(const struct rig *rig)
+/* Of any shape. */
+static void find_most(const struct rig *rig, size_t *bones, size_t *targets)
 {
-	size_t most = 0;
-	for (size_t i = 0; i < rig->shape_count; i++)
-		if (rig->shapes[i].bone_count > most)
-			most = rig->shapes[i].bone_count;
-	return most;
-}
-
-static size_t most_targets(const struct rig *rig)
-{
-	size_t most = 0;
-	for (size_t i = 0; i < rig->shape_count; i++)
-		if (rig->shapes[i].target_count > most)
-			most = rig->shapes[i].target_count;
-	return most;
+	*bones = *targets = 0;
+	for (size_t i = 0; i < rig->shape_count; i++) {
+		const struct shape *shape = &rig->shapes[i];
+		*bones = shape->bone_count > *bones ? shape->bone_count : *bones;
+		*targets = shape->target_count > *targets ? shape->target_count : *targets;
+	}
 }
 
 bool pose_init(struct pose *pose, const struct rig *rig, const struct sm_mesh_desc *meshes,
 	struct sm_error *error)
 {
+	size_t bones, targets;
+	find_most(rig, &bones, &targets);
 	*pose = (struct pose){
 		.transforms = array_alloc(rig->object_count, sizeof(*pose->transforms)),
 		.shapes = array_zalloc(rig->shape_count, sizeof(*pose->shapes)),
 		.nodes = array_alloc(rig->node_count, sizeof(*pose->nodes)),
-		.bones = array_alloc(most_bones(rig), sizeof(*pose->bones)),
-		.weights = array_alloc(most_targets(rig), sizeof(*pose->weights)),
+		.bones = array_alloc(bones, sizeof(*pose->bones)),
+		.weights = array_alloc(targets, sizeof(*pose->weights)),
 	};
 	bool ok = pose->transforms != NULL && pose->shapes != NULL && pose->nodes != NULL &&
 		  pose->bones != NULL && pose->weights != NULL;
