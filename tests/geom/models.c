@@ -293,6 +293,23 @@ void models_visit(const char *folder, void (*visit)(const char *name, const stru
 	visit_files(folder, visit);
 }
 
+void models_visit_extremes(void (*visit)(const char *name, const struct model *model))
+{
+	static const struct {
+		float scale, offset;
+	} cases[] = {{1e-30f, 0}, {1e-38f, 0}, {1e-44f, 0}, {1e30f, 0}, {1e38f, 0}, {1, 1e4f},
+		{1, 1e6f}, {1, 1e8f}, {1e30f, -2e38f}, {1e-30f, 1e-28f}};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct model model = model_sphere(4);
+		for (size_t v = 0; v < model.vertex_count; v++)
+			for (int c = 0; c < 3; c++)
+				model.positions[v][c] =
+					cases[i].scale * model.positions[v][c] + cases[i].offset;
+		visit("sphere", &model);
+		model_finish(&model);
+	}
+}
+
 uint32_t random_next(uint64_t *state)
 {
 	/* xorshift64* (Vigna 2016, "An experimental exploration of Marsaglia's xorshift

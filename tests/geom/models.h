@@ -44,6 +44,9 @@ bool model_load(struct model *model, const char *path);
  *  any. */
 void models_visit(const char *folder, void (*visit)(const char *name, const struct model *model));
 
+/** The same for spheres near the ends of what floats hold, in size and place. */
+void models_visit_extremes(void (*visit)(const char *name, const struct model *model));
+
 /** A repeatable sequence; start with any state but 0. */
 uint32_t random_next(uint64_t *state);
 /** In [-1, 1). */

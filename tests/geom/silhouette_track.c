@@ -92,19 +92,7 @@ static void equals_a_search_of_all(void **state)
 static void holds_at_any_scale_and_place(void **state)
 {
 	(void)state;
-	const struct {
-		float scale, offset;
-	} cases[] = {
-		{1e-30f, 0}, {1e-44f, 0}, {1e30f, 0}, {1e38f, 0}, {1, 1e4f}, {1, 1e6f}, {1, 1e8f}};
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-		struct model model = model_sphere(4);
-		for (size_t v = 0; v < model.vertex_count; v++)
-			for (int c = 0; c < 3; c++)
-				model.positions[v][c] =
-					cases[i].scale * model.positions[v][c] + cases[i].offset;
-		check_walk("sphere", &model);
-		model_finish(&model);
-	}
+	models_visit_extremes(check_walk);
 }
 
 /* A track goes from one caster to another, and knows one that has moved. */
