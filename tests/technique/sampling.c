@@ -185,6 +185,62 @@ static void many_small_triangles_are_deferred(void **state)
 	visibility_finish(&large);
 }
 
+static bool is_sparse(struct rig *rig, const struct canvas *canvas, float radius, bool alone)
+{
+	struct sm_light_desc light = lamp;
+	const struct sm_view view = {.camera = aside,
+		.width = WIDTH,
+		.height = HEIGHT,
+		.visibility_of = SM_NONE,
+		.framebuffer = canvas->framebuffer,
+		.alone = alone};
+	light.radius = radius;
+	assert_true(sm_scene_set_light(rig->scene, 0, &light, NULL));
+	rig_draw(rig, rig->scene, &view);
+	return lights_of(rig, SM_SAMPLING_SPARSE) == 1;
+}
+
+/* The least radius, to a fiftieth, that a picture alone is sampled sparsely for; 0: none is. */
+static float find_sparse_radius(struct rig *rig, const struct canvas *canvas)
+{
+	float dense = 0, sparse = 3;
+	if (!is_sparse(rig, canvas, sparse, true))
+		return 0;
+	while (sparse - dense > 0.02f * sparse) {
+		float middle = (dense + sparse) / 2;
+		if (is_sparse(rig, canvas, middle, true))
+			sparse = middle;
+		else
+			dense = middle;
+	}
+	return sparse;
+}
+
+/* Between others a choice is kept a while, by "gather" itself and where "auto" has taken it. */
+static void a_picture_alone_is_sampled_by_itself(void **state)
+{
+	struct rig *rig = *state;
+	static const char *const techniques[] = {"gather", "auto"};
+	struct canvas canvas;
+	fill_scene(rig);
+	parts_add_light(rig->scene, &lamp);
+	canvas_init(&canvas, GL_SRGB8_ALPHA8, WIDTH, HEIGHT);
+	for (size_t i = 0; i < sizeof(techniques) / sizeof(techniques[0]); i++) {
+		rig_set_shadows(rig,
+			&(struct sm_shadow_options){.technique = techniques[i], .map_size = 512});
+		float radius = find_sparse_radius(rig, &canvas);
+		GLint bits = 0; /* of a grid that is too coarse for it */
+		glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+		assert_true(radius > 0 || bits < 6);
+		if (radius == 0)
+			break;
+		assert_true(is_sparse(rig, &canvas, radius, false));
+		assert_true(is_sparse(rig, &canvas, 0.9f * radius, false));
+		assert_false(is_sparse(rig, &canvas, 0.9f * radius, true));
+	}
+	canvas_finish(&canvas);
+}
+
 static void a_point_has_nothing_between(void **state)
 {
 	struct rig *rig = *state;
@@ -328,6 +384,7 @@ int main(void)
 		rig_test(what_was_found_goes_with_its_receivers),
 		rig_test(many_small_triangles_are_deferred),
 		rig_test(pictures_may_be_of_any_size),
+		rig_test(a_picture_alone_is_sampled_by_itself),
 		rig_test(a_point_has_nothing_between),
 		rig_test(several_lights_add_up),
 		rig_test(either_way_of_branching_looks_the_same),
