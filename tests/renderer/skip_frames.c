@@ -18,6 +18,7 @@
 #define SCENES 40
 #define FRAMES 25 /* of a scene */
 #define MOVES 60  /* of casters, one after the other, with each technique */
+#define LEDGES 20 /* moves of one */
 #define CROWD 12  /* of which one moves */
 #define WIDTH 96
 #define HEIGHT 64
@@ -381,6 +382,43 @@ static void play_moves(struct run *run, const struct sm_shadow_options *options)
 	sm_scene_destroy(run->scene);
 }
 
+/* What only receives moves about below the edge of a slab: there the edge's penumbra ends on it,
+ * and so does what is found of the edge from texels far beside it. */
+static void play_ledges(struct run *run, const struct sm_shadow_options *options)
+{
+	const float side = 0.6f, height = 2, lamp = 6;
+	const struct sm_light_desc light = {.position = {0, lamp, 0},
+		.radius = 0.8f,
+		.angle = 60,
+		.color = {1, 1, 1},
+		.intensity = 1};
+	run->scene = sm_scene_create();
+	assert_non_null(run->scene);
+	uint32_t square = parts_add_square(run->scene);
+	parts_add_object(run->scene, square, PART_RECEIVES, &(struct pose){.scale = {4, 1, 4}});
+	parts_add_object(run->scene, parts_add_cube(run->scene), PART_BOTH,
+		&(struct pose){.scale = {side, 0.05f, side}, .position = {0, height, 0}});
+	uint32_t ledge = parts_add_object(
+		run->scene, square, PART_RECEIVES, &(struct pose){.scale = {0.1f, 1, 0.1f}});
+	parts_add_light(run->scene, &light);
+	run->camera = (struct sm_camera){
+		.eye = {1, 4, 3}, .target = {0, 0.5f, 0}, .up = {0, 1, 0}, .fov = 60};
+	run->visibility_of = SM_NONE;
+	init_canvases(run, 0);
+	use_shadows(run, options);
+	for (uint32_t frame = 0; frame < LEDGES; frame++) {
+		float y = between(run, 0.3f, 1.5f), edge = side * (lamp - y) / (lamp - height);
+		move_object(run, ledge,
+			&(struct pose){.scale = {0.1f, 1, 0.1f},
+				.position = {edge + between(run, -0.1f, 0.1f), y,
+					between(run, -side, side)}});
+		draw_by_both(run, SCENES + (uint32_t)(COUNT(choices) + (options - choices)), frame);
+	}
+	canvas_finish(&run->canvases[0]);
+	canvas_finish(&run->canvases[1]);
+	sm_scene_destroy(run->scene);
+}
+
 /* A skip that never happens, or always does, has not been tested. */
 static void check_counts(const struct run *run)
 {
@@ -407,6 +445,8 @@ static void skips_do_not_show(void **state)
 		play(&run, scene);
 	for (size_t i = 0; i < COUNT(choices); i++)
 		play_moves(&run, &choices[i]);
+	for (size_t i = 0; i < COUNT(choices); i++)
+		play_ledges(&run, &choices[i]);
 	check_counts(&run);
 	sm_renderer_destroy(run.skipping);
 }
