@@ -486,13 +486,14 @@ static size_t check_reach(struct rig *rig)
 }
 
 /* Nowhere else is their shadow looked for. All that does not cast is one plane: variance maps take
- * the nearer of several surfaces for a blocker, casting or not. */
+ * the nearer of several surfaces for a blocker, casting or not. None of its corners is at w = 0 in
+ * a view, where SwiftShader gives the whole triangle one value. */
 static void techniques_darken_no_farther_than_their_reach(void **state)
 {
 	struct rig *rig = *state;
 	rig_skip_nothing(rig);
 	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
-		&(struct pose){{20, 1, 20}, 0, {0, 0, 0}});
+		&(struct pose){{19, 1, 19}, 0, {0, 0, 0}});
 	parts_add_object(rig->scene, parts_add_cube(rig->scene), PART_BOTH,
 		&(struct pose){{0.8f, 0.8f, 0.8f}, 30, {-1.5f, 0.9f, 0.5f}});
 	parts_add_object(rig->scene, add_ball(rig->scene), PART_BOTH,
