@@ -3,7 +3,9 @@
  * Six scenes against ray-traced ground truth: how far shadows of a light of radius R at distance d
  * are off. What is expected was found by an independent study of the techniques on a processor.
  */
+#include "gles/raster_grid.h"
 #include "load/stage.h"
+#include "renderer.h"
 #include "truth.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -156,6 +158,12 @@ static const struct study gather = {
 	.or_better = true,
 };
 
+/* Pixels more that may be so on a raster grid of 4 bits, a fifth more than there are: the same with
+ * each technique, 13 of the knot and 38 of the debris. Corners are moved by up to 1/32 of a pixel
+ * there, and where a surface is seen edge on that takes pixels of it deep into its own shadow. */
+static const uint32_t coarse_wrong[SCENES] = {[3] = 16, [5] = 46};
+#define COARSE_BITS 4
+
 static void draw_scene(struct visibility *seen, struct rig *rig, const struct study *study,
 	const char *scene, double share)
 {
@@ -199,14 +207,17 @@ static void check_error(const char *what, double error, double expected, bool or
 		fail_msg("%s: error %.3f, not %.3f", what, error, expected);
 }
 
-static void check_scene(const struct study *study, size_t scene, const struct difference *found)
+static void check_scene(
+	struct rig *rig, const struct study *study, size_t scene, const struct difference *found)
 {
+	bool coarse = raster_grid_bits(&rig->renderer->gpu) <= COARSE_BITS;
+	uint32_t most = study->outside_wrong[scene] + (coarse ? coarse_wrong[scene] : 0);
 	print_message("%-12s %.3f, and %u of %u pixels wrong beside the penumbra\n", scenes[scene],
 		found->penumbra_rmse, found->outside_wrong, SIZE * SIZE - found->penumbra_pixels);
 	if (study->at_03[scene] > 0)
 		check_error(
 			scenes[scene], found->penumbra_rmse, study->at_03[scene], study->or_better);
-	if (found->outside_wrong > study->outside_wrong[scene])
+	if (found->outside_wrong > most)
 		fail_msg("%s: %u pixels are wrong beside the penumbra", scenes[scene],
 			found->outside_wrong);
 }
@@ -220,7 +231,7 @@ static void check_study(struct rig *rig, const struct study *study)
 			struct difference found = measure(rig, study, scenes[scene], shares[i]);
 			sum += found.penumbra_rmse;
 			if (i == SHARE_03)
-				check_scene(study, scene, &found);
+				check_scene(rig, study, scene, &found);
 		}
 		check_error(shares[i], sum / SCENES, study->means[i], study->or_better);
 	}
