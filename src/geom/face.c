@@ -4,8 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define FACE_ARRAYS 4
-
 void face_normal(const float p0[3], const float p1[3], const float p2[3], double normal[3])
 {
 	double u[3], v[3];
@@ -61,6 +59,14 @@ static void find_sphere(
 	}
 }
 
+static void store(struct face_planes *planes, size_t t, const double values[FACE_VALUES])
+{
+	size_t b = t / EDGE_BLOCK, size = face_block_size(planes, b);
+	int16_t *block = face_block_values(planes, b);
+	for (size_t i = 0; i < FACE_VALUES; i++)
+		block[i * size + t % EDGE_BLOCK] = (int16_t)lrint(values[i]);
+}
+
 static void quantise(
 	struct face_planes *planes, size_t t, const float p0[3], const double normal[3])
 {
@@ -70,23 +76,17 @@ static void quantise(
 	double d = 0.0;
 	for (int i = 0; i < 3; i++)
 		d += unit[i] * ((p0[i] - planes->center[i]) / planes->radius);
-	planes->nx[t] = (int16_t)lrint(unit[0]);
-	planes->ny[t] = (int16_t)lrint(unit[1]);
-	planes->nz[t] = (int16_t)lrint(unit[2]);
-	planes->d[t] = (int16_t)lrint(d);
+	double values[FACE_VALUES] = {unit[0], unit[1], unit[2], d};
+	store(planes, t, values);
 }
 
 bool face_planes_init(struct face_planes *planes, const float (*positions)[3], size_t vertex_count,
 	const uint32_t *indices, size_t triangle_count)
 {
 	*planes = (struct face_planes){.count = triangle_count};
-	int16_t *memory = array_alloc(triangle_count, FACE_ARRAYS * sizeof(*memory));
-	if (memory == NULL)
+	planes->values = array_alloc(triangle_count, FACE_VALUES * sizeof(*planes->values));
+	if (planes->values == NULL)
 		return false;
-	planes->nx = memory;
-	planes->ny = planes->nx + triangle_count;
-	planes->nz = planes->ny + triangle_count;
-	planes->d = planes->nz + triangle_count;
 	face_planes_update(planes, positions, vertex_count, indices);
 	return true;
 }
@@ -104,7 +104,7 @@ void face_planes_update(struct face_planes *planes, const float (*positions)[3],
 		if (length(normal) > 0.0) {
 			quantise(planes, t, p0, normal);
 		} else {
-			planes->nx[t] = planes->ny[t] = planes->nz[t] = planes->d[t] = 0;
+			store(planes, t, (const double[FACE_VALUES]){0});
 			planes->degenerate++;
 		}
 	}
@@ -112,11 +112,11 @@ void face_planes_update(struct face_planes *planes, const float (*positions)[3],
 
 void face_planes_finish(struct face_planes *planes)
 {
-	free(planes->nx);
+	free(planes->values);
 	*planes = (struct face_planes){0};
 }
 
 size_t face_planes_bytes(const struct face_planes *planes)
 {
-	return planes->count * FACE_ARRAYS * sizeof(*planes->nx);
+	return planes->count * FACE_VALUES * sizeof(*planes->values);
 }

@@ -2,9 +2,7 @@
 #ifndef GEOM_FACE_H
 #define GEOM_FACE_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "geom/edges.h"
 
 /** (p1 - p0) x (p2 - p0) in double: twice the area long, towards the side that faces. */
 void face_normal(const float p0[3], const float p1[3], const float p2[3], double normal[3]);
@@ -21,12 +19,26 @@ double face_volume(const float p0[3], const float p1[3], const float p2[3], cons
  */
 struct face_planes {
 	size_t count;
-	int16_t *nx, *ny, *nz, *d; /* nx owns the memory of all four */
-	double center[3], radius;  /* a sphere around all vertices */
-	size_t degenerate;         /* triangles whose normal is exactly zero */
+	int16_t *values;          /* of each block of EDGE_BLOCK triangles all n.x, n.y, n.z, d */
+	double center[3], radius; /* a sphere around all vertices */
+	size_t degenerate;        /* triangles whose normal is exactly zero */
 };
 
 #define FACE_PLANE_ONE 32767
+#define FACE_VALUES 4
+
+/** How many triangles block b has. */
+static inline size_t face_block_size(const struct face_planes *planes, size_t b)
+{
+	size_t left = planes->count - b * EDGE_BLOCK;
+	return left < EDGE_BLOCK ? left : EDGE_BLOCK;
+}
+
+/** Of block b, [FACE_VALUES][face_block_size()]. */
+static inline int16_t *face_block_values(const struct face_planes *planes, size_t b)
+{
+	return &planes->values[b * EDGE_BLOCK * FACE_VALUES];
+}
 
 /** positions: [vertex_count][3], finite; indices: [3 * triangle_count]. False: out of memory. */
 bool face_planes_init(struct face_planes *planes, const float (*positions)[3], size_t vertex_count,

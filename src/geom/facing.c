@@ -85,13 +85,12 @@ static inline int16_t upper_half(int16_t a, int16_t b)
 #define UNSURE_MIDDLE ((SURELY_FACES + SURELY_NOT) / 2)
 #define UNSURE_HALF ((SURELY_FACES - SURELY_NOT) / 2)
 
-/* Tests count triangles, 64 at most, from the first: a bit for each that surely faces the light,
+/* Tests a block of count triangles: a bit for each that surely faces the light,
  * with the sums that tell which, and the least distance of one to UNSURE_MIDDLE. */
-static inline uint64_t test_planes(const struct face_planes *planes, size_t first, int count,
-	const struct plane_test *test, int16_t sums[EDGE_BLOCK], int *least)
+static inline uint64_t test_planes(const int16_t *values, int count, const struct plane_test *test,
+	int16_t sums[EDGE_BLOCK], int *least)
 {
-	const int16_t *nx = &planes->nx[first], *ny = &planes->ny[first];
-	const int16_t *nz = &planes->nz[first], *d = &planes->d[first];
+	const int16_t *nx = values, *ny = nx + count, *nz = ny + count, *d = nz + count;
 	uint8_t above[EDGE_BLOCK] = {0};
 	int16_t nearest = INT16_MAX;
 	/* Loops apart, each over values of one width. */
@@ -109,23 +108,17 @@ static inline uint64_t test_planes(const struct face_planes *planes, size_t firs
 	return pack_bytes(above);
 }
 
-static int block_size(const struct caster *caster, size_t b)
-{
-	size_t left = caster->triangle_count - b * EDGE_BLOCK;
-	return left < EDGE_BLOCK ? (int)left : EDGE_BLOCK;
-}
-
 /* least: as test_planes() has it, of the block. */
 static inline uint64_t facing_word(const struct caster *caster, size_t b,
 	const struct plane_test *test, const float light[4], int *least)
 {
 	size_t first = b * EDGE_BLOCK;
-	int count = block_size(caster, b);
+	const int16_t *values = face_block_values(&caster->planes, b);
+	int count = (int)face_block_size(&caster->planes, b);
 	int16_t sums[EDGE_BLOCK];
 	/* The constant count is what lets a compiler unroll it into vectors. */
-	uint64_t word = count == EDGE_BLOCK
-				? test_planes(&caster->planes, first, EDGE_BLOCK, test, sums, least)
-				: test_planes(&caster->planes, first, count, test, sums, least);
+	uint64_t word = count == EDGE_BLOCK ? test_planes(values, EDGE_BLOCK, test, sums, least)
+					    : test_planes(values, count, test, sums, least);
 	if (*least >= UNSURE_HALF)
 		return word;
 	for (int i = 0; i < count; i++)
@@ -136,7 +129,8 @@ static inline uint64_t facing_word(const struct caster *caster, size_t b,
 
 static uint64_t word_of_side(const struct caster *caster, size_t b, uint8_t side)
 {
-	return side == CONE_FACES ? UINT64_MAX >> (EDGE_BLOCK - block_size(caster, b)) : 0;
+	size_t size = face_block_size(&caster->planes, b);
+	return side == CONE_FACES ? UINT64_MAX >> (EDGE_BLOCK - size) : 0;
 }
 
 /* Without cones, or a light that they can tell about, each triangle is tested. */

@@ -303,7 +303,7 @@ static void check_same_caster(const struct caster *got, const struct caster *exp
 	assert_memory_equal(
 		got->indices, expected->indices, 3 * got->triangle_count * sizeof(*got->indices));
 	assert_memory_equal(
-		got->planes.nx, expected->planes.nx, face_planes_bytes(&expected->planes));
+		got->planes.values, expected->planes.values, face_planes_bytes(&expected->planes));
 	assert_memory_equal(
 		got->planes.center, expected->planes.center, sizeof(got->planes.center));
 	assert_true(got->planes.radius == expected->planes.radius);

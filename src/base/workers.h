@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef BASE_WORKERS_H
+#define BASE_WORKERS_H
+
+#include <pthread.h>
+#include <stdbool.h>
+
+#define WORKERS_MAX 8
+
+/** Threads that share work, and sleep between. Zero is none, and finished. */
+struct workers {
+	unsigned count; /* that share: the caller of workers_run() is one; 0: not started */
+	unsigned most;  /* that may be started; 0: one a processor, up to WORKERS_MAX */
+	/* Owned */
+	pthread_t threads[WORKERS_MAX - 1];
+	pthread_mutex_t mutex;
+	pthread_cond_t begun, done;
+	void (*work)(void *data, unsigned part);
+	void *data;
+	unsigned long round; /* of work */
+	unsigned next, left; /* parts to take, and those not done */
+	bool ends;
+};
+
+/** How many parts work is best split into: the threads are started, where they are not. 1 for NULL,
+ *  on one processor, and where none can be started. */
+unsigned workers_share(struct workers *workers);
+
+/** Runs work(data, part) for each part below workers->count, in any order and on any thread, and
+ *  returns when all are done. To be called by one thread at a time. */
+void workers_run(struct workers *workers, void (*work)(void *data, unsigned part), void *data);
+
+/** Ends the threads. */
+void workers_finish(struct workers *workers);
+
+#endif
