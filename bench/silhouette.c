@@ -369,7 +369,7 @@ static bool measure_step(struct bench *bench, struct silhouette_track *track, co
 	bench->all_found.count = silhouette_find_all(caster, bench->facing_all,
 		bench->all_found.edges, edge_table_records(&caster->edges));
 	double middle = now();
-	bool ok = silhouette_track(track, caster, light);
+	bool ok = silhouette_track(track, caster, light, NULL);
 	*tracked = now() - middle;
 	*all = middle - start;
 	return ok && same_silhouette(bench, track);
@@ -389,7 +389,7 @@ static bool measure_tracking(struct bench *bench, struct tracking *tracking)
 		double degrees = i * (tracking->degrees > 0.0 ? tracking->degrees : 137.5);
 		light_on_circle(caster, degrees, light);
 		same = measure_step(bench, &track, light, &all[i], &tracked[i]);
-		tracking->tested += (double)track.facing.tested / blocks / STEPS;
+		tracking->tested += (double)track.tested / blocks / STEPS;
 		tracking->searched += (double)track.searched / blocks / STEPS;
 	}
 	tracking->all = statistics_median(all, STEPS) / edges;

@@ -21,6 +21,7 @@
 #define ASIDE_MARGIN 0x1p-17f
 /* As much more than the squared tangent as no rounding takes away. */
 #define SPREAD_MARGIN (1.0 + 0x1p-18)
+#define SLACK_MARGIN 0x1p-16f
 
 /* The least cosine of a normal's angle to the axis: beyond it cones are narrow, and far off. */
 #define LIKENESS_MIN 0.125
@@ -179,20 +180,24 @@ void face_cones_test(const struct face_cones *cones, size_t first, const struct 
 	}
 }
 
-/* The distance to a cone's surface. */
-double face_cones_slack(
-	const struct face_cones *cones, size_t b, const struct cone_light *light, uint8_t side)
+/* By the distance to the surface of the nearer cone: it is the one that the light is in, as the two
+ * are on opposite sides of a block. The depth is off by less than 2^-18 as in the test, and root
+ * and quotient, of less than 16, are by less than 2^-19 more: together by less than SLACK_MARGIN.
+ */
+enum cone_side face_cones_side(
+	const struct face_cones *cones, size_t b, const struct cone_light *light, float *slack)
 {
-	double sign = light->w < 0.0f ? -1.0 : 1.0, w = sign * light->w;
-	double d[3] = {sign * light->x - w * cones->x[b], sign * light->y - w * cones->y[b],
-		sign * light->z - w * cones->z[b]};
-	double axis[3] = {cones->axis_x[b], cones->axis_y[b], cones->axis_z[b]};
-	double along = dot(d, axis), spread = cones->spread[b];
-	double aside = dot(d, d) - along * along + ASIDE_MARGIN;
-	bool faces = (side == CONE_FACES) == (sign > 0.0);
-	double depth =
-		faces ? along - w * cones->faces_from[b] : -along - w * cones->averts_from[b];
-	return (depth - CONE_MARGIN - sqrt(aside * spread)) / sqrt(1.0 + spread);
+	float sign = light->w < 0.0f ? -1.0f : 1.0f, w = sign * light->w;
+	float dx = sign * light->x - w * cones->x[b], dy = sign * light->y - w * cones->y[b];
+	float dz = sign * light->z - w * cones->z[b], spread = cones->spread[b];
+	float along = dx * cones->axis_x[b] + dy * cones->axis_y[b] + dz * cones->axis_z[b];
+	float aside = dx * dx + dy * dy + dz * dz - along * along + ASIDE_MARGIN;
+	float faces = along - w * cones->faces_from[b], averts = -along - w * cones->averts_from[b];
+	float depth = (faces > averts ? faces : averts) - CONE_MARGIN;
+	*slack = (depth - sqrtf(aside * spread)) / sqrtf(1.0f + spread) - SLACK_MARGIN;
+	if (!(*slack > 0.0f))
+		return CONE_MIXED;
+	return (faces > averts) == (sign > 0.0f) ? CONE_FACES : CONE_AVERTS;
 }
 
 /* How many blocks are decided, on average over directions to the corners, edges and faces of a

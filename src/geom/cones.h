@@ -51,9 +51,10 @@ bool cone_light_of(const struct face_planes *planes, const float light[4], struc
 void face_cones_test(const struct face_cones *cones, size_t first, const struct cone_light *light,
 	uint8_t sides[CONE_BATCH]);
 
-/** How deep in the cone of a side that face_cones_test() decided block b for: the light, with its w
- *  as it is, may go that far, as a share of what it was divided by, and stays in it. */
-double face_cones_slack(
-	const struct face_cones *cones, size_t b, const struct cone_light *light, uint8_t side);
+/** Decides for block b, unless the light is within rounding of a cone's surface. slack: set to how
+ * deep it is in the cone, where one decides: it may go that far, its w as it is, as a share of what
+ * it was divided by, and stays in. */
+enum cone_side face_cones_side(
+	const struct face_cones *cones, size_t b, const struct cone_light *light, float *slack);
 
 #endif

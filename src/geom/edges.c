@@ -11,6 +11,8 @@
 /* Of fewer records a link, it isn't kept which triangles links lead to: that takes 8 bytes each,
  * and such meshes hang together so little that it saves nothing. */
 #define LINK_RECORDS_MIN 4
+/* Of fewer, links are not kept the other way around. */
+#define LEADING_RECORDS_MIN 8
 
 /* The first side from i on that runs this way. */
 static size_t next_side(const struct side *sides, size_t count, size_t i, uint8_t reversed)
@@ -101,8 +103,8 @@ static void count_block(struct edge_table *table, uint32_t *neighbours, size_t b
 {
 	struct edge_block *block = &table->blocks[b];
 	struct link_list list = {.count = 0};
-	*block = (struct edge_block){
-		.near = table->near_count, .far = table->far_count, .link = table->link_count};
+	*block = (struct edge_block){.records = 2 * table->near_count + 3 * table->far_count,
+		.link = (uint32_t)table->link_count};
 	for (size_t c = 3 * b * EDGE_BLOCK; c < 3 * block_end(table, b); c++) {
 		if (neighbours[c] == NO_RECORD)
 			continue;
@@ -131,16 +133,13 @@ static bool reserve_records(struct edge_table *table, uint32_t *neighbours)
 		return false;
 	for (size_t b = 0; b < edge_table_blocks(table); b++)
 		count_block(table, neighbours, b);
-	table->near_corners = array_alloc(table->near_count, sizeof(*table->near_corners));
-	table->near_places = array_alloc(table->near_count, sizeof(*table->near_places));
-	table->far_corners = array_alloc(table->far_count, sizeof(*table->far_corners));
-	table->far_places = array_alloc(table->far_count, sizeof(*table->far_places));
-	table->far_links = array_alloc(table->far_count, sizeof(*table->far_links));
+	if (table->link_count > UINT32_MAX)
+		return false;
+	table->records =
+		array_alloc(2 * table->near_count + 3 * table->far_count, sizeof(*table->records));
 	table->links = array_alloc(table->link_count, sizeof(*table->links));
 	table->link_owners = array_alloc(table->link_count, sizeof(*table->link_owners));
-	return table->near_corners != NULL && table->near_places != NULL &&
-	       table->far_corners != NULL && table->far_places != NULL &&
-	       table->far_links != NULL && table->links != NULL && table->link_owners != NULL;
+	return table->records != NULL && table->links != NULL && table->link_owners != NULL;
 }
 
 static bool reserve_link_faces(struct edge_table *table)
@@ -151,12 +150,22 @@ static bool reserve_link_faces(struct edge_table *table)
 	return table->link_faces != NULL;
 }
 
+static bool reserve_leading(struct edge_table *table)
+{
+	if (table->link_count > edge_table_records(table) / LEADING_RECORDS_MIN)
+		return true;
+	table->leading = array_alloc(table->link_count, sizeof(*table->leading));
+	table->leading_faces = array_alloc(table->link_count, sizeof(*table->leading_faces));
+	return table->leading != NULL && table->leading_faces != NULL;
+}
+
 static void fill_link_faces(const struct edge_table *table, const struct edge_block *block)
 {
-	for (size_t i = block->far; i < block->far + block->far_count; i++)
-		if (table->far_links[i] < block->link_count)
-			table->link_faces[block->link + table->far_links[i]] |=
-				UINT64_C(1) << table->far_places[i];
+	const struct edge_records records = edge_block_records(table, block);
+	for (size_t i = 0; i < block->far_count; i++)
+		if (records.far_links[i] < block->link_count)
+			table->link_faces[block->link + records.far_links[i]] |=
+				UINT64_C(1) << records.far_places[i];
 }
 
 /* Fills what one block owns. */
@@ -164,7 +173,8 @@ static void fill_block(const struct edge_table *table, const uint32_t *neighbour
 {
 	const struct edge_block *block = &table->blocks[b];
 	struct link_list list = {.count = 0};
-	size_t near = block->near, far = block->far;
+	uint8_t *near = &table->records[block->records];
+	uint8_t *far = near + 2 * (size_t)block->near_count;
 	for (size_t c = 3 * b * EDGE_BLOCK; c < 3 * block_end(table, b); c++) {
 		uint32_t neighbour = neighbours[c];
 		if (neighbour == NO_RECORD)
@@ -172,15 +182,15 @@ static void fill_block(const struct edge_table *table, const uint32_t *neighbour
 		uint8_t corner = (uint8_t)(c / 3 % EDGE_BLOCK + c % 3 * EDGE_BLOCK);
 		uint8_t place = neighbour == EDGE_OPEN ? 0 : neighbour % EDGE_BLOCK;
 		if (is_near(c / 3, neighbour)) {
-			table->near_corners[near] = corner;
-			table->near_places[near++] = place;
+			near[block->near_count] = place;
+			*near++ = corner;
 			continue;
 		}
-		table->far_corners[far] = corner;
-		table->far_places[far] = place;
-		table->far_links[far++] = neighbour == EDGE_OPEN
-						  ? block->link_count
-						  : (uint8_t)link_to(&list, neighbour / EDGE_BLOCK);
+		far[block->far_count] = place;
+		far[2 * (size_t)block->far_count] =
+			neighbour == EDGE_OPEN ? block->link_count
+					       : (uint8_t)link_to(&list, neighbour / EDGE_BLOCK);
+		*far++ = corner;
 	}
 	memcpy(&table->links[block->link], list.blocks, list.count * sizeof(*list.blocks));
 	memset(&table->link_owners[block->link], (int)(b % EDGE_BLOCK_SET), list.count);
@@ -188,10 +198,33 @@ static void fill_block(const struct edge_table *table, const uint32_t *neighbour
 		fill_link_faces(table, block);
 }
 
+/* Sorts the owners of links by the blocks that these lead to. */
+static void fill_leading(struct edge_table *table)
+{
+	size_t blocks = edge_table_blocks(table);
+	uint32_t sum = 0;
+	for (size_t b = 0; b < blocks; b++)
+		table->blocks[b].leading = 0;
+	for (size_t i = 0; i < table->link_count; i++)
+		table->blocks[table->links[i]].leading++;
+	/* Behind the last one of each block, which is then filled backwards. */
+	for (size_t b = 0; b < blocks; b++)
+		sum = table->blocks[b].leading += sum;
+	for (size_t b = blocks; b-- > 0;)
+		for (size_t i = 0; i < table->blocks[b].link_count; i++) {
+			size_t link = table->blocks[b].link + i;
+			size_t place = --table->blocks[table->links[link]].leading;
+			table->leading[place] = (uint32_t)b;
+			table->leading_faces[place] = table->link_faces[link];
+		}
+}
+
 static void fill_records(struct edge_table *table, const uint32_t *neighbours)
 {
 	for (size_t b = 0; b < edge_table_blocks(table); b++)
 		fill_block(table, neighbours, b);
+	if (table->leading != NULL)
+		fill_leading(table);
 }
 
 bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t triangle_count,
@@ -200,7 +233,8 @@ bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t t
 	*table = (struct edge_table){.triangle_count = triangle_count};
 	uint32_t *neighbours = array_alloc(triangle_count, 3 * sizeof(*neighbours));
 	bool ok = neighbours != NULL && pair_sides(table, indices, vertex_count, neighbours) &&
-		  reserve_records(table, neighbours) && reserve_link_faces(table);
+		  reserve_records(table, neighbours) && reserve_link_faces(table) &&
+		  reserve_leading(table);
 	if (ok)
 		fill_records(table, neighbours);
 	else
@@ -212,13 +246,11 @@ bool edge_table_init(struct edge_table *table, const uint32_t *indices, size_t t
 void edge_table_finish(struct edge_table *table)
 {
 	free(table->blocks);
-	free(table->near_corners);
-	free(table->near_places);
-	free(table->far_corners);
-	free(table->far_places);
-	free(table->far_links);
+	free(table->records);
 	free(table->links);
 	free(table->link_owners);
+	free(table->leading);
+	free(table->leading_faces);
 	free(table->link_faces);
 	free(table->open);
 	*table = (struct edge_table){0};
@@ -241,11 +273,13 @@ size_t edge_table_records(const struct edge_table *table)
 
 size_t edge_table_bytes(const struct edge_table *table)
 {
-	size_t link_faces = table->link_faces != NULL ? sizeof(*table->link_faces) : 0;
+	size_t link = sizeof(*table->links) + sizeof(*table->link_owners);
+	if (table->link_faces != NULL)
+		link += sizeof(*table->link_faces);
+	if (table->leading != NULL)
+		link += sizeof(*table->leading) + sizeof(*table->leading_faces);
 	return edge_table_blocks(table) * sizeof(*table->blocks) + 2 * table->near_count +
-	       3 * table->far_count +
-	       table->link_count *
-		       (sizeof(*table->links) + sizeof(*table->link_owners) + link_faces) +
+	       3 * table->far_count + table->link_count * link +
 	       edge_table_sets(table) * sizeof(*table->open);
 }
 
@@ -266,16 +300,17 @@ void edge_table_decode(const struct edge_table *table, struct edge_record *recor
 			if (block.next >> t & 1)
 				*records++ = record_of(first, edge_block_corner(&block, t),
 					(uint32_t)first + t + 1);
-		for (size_t i = block.near; i < block.near + block.near_count; i++)
-			*records++ = record_of(first, table->near_corners[i],
-				(uint32_t)first + table->near_places[i]);
-		for (size_t i = block.far; i < block.far + block.far_count; i++) {
-			uint8_t link = table->far_links[i];
-			*records++ = record_of(first, table->far_corners[i],
+		const struct edge_records held = edge_block_records(table, &block);
+		for (size_t i = 0; i < block.near_count; i++)
+			*records++ = record_of(
+				first, held.near_corners[i], (uint32_t)first + held.near_places[i]);
+		for (size_t i = 0; i < block.far_count; i++) {
+			uint8_t link = held.far_links[i];
+			*records++ = record_of(first, held.far_corners[i],
 				link == block.link_count
 					? EDGE_OPEN
 					: table->links[block.link + link] * EDGE_BLOCK +
-						  table->far_places[i]);
+						  held.far_places[i]);
 		}
 	}
 }

@@ -14,7 +14,8 @@ struct edge_block {
 	/* Records of triangles with the one that follows them: bit t of `next`, and of k at the
 	 * owner's corner in `low` and `high`. */
 	uint64_t next, low, high;
-	size_t near, far, link;        /* where its other records and its links begin */
+	size_t records;                /* where its other records begin */
+	uint32_t link, leading;        /* where its links begin, and the blocks that lead to it */
 	uint8_t near_count, far_count; /* other records */
 	uint8_t link_count;            /* other blocks that far records lead to */
 };
@@ -24,8 +25,8 @@ struct edge_block {
 
 /**
  * Which triangles meet where: one record an edge, of 3 bits where a triangle meets the next one, of
- * 2 bytes where it meets another of the same block, else of 3 and a share of a link, which has 13,
- * or 5 where links are many.
+ * 2 bytes where it meets another of the same block, else of 3 and a share of a link, which has 25,
+ * 13 where links are many, and 5 where they are more.
  *
  * Corner k of triangle t is also a half-edge: from its vertex k to vertex (k + 1) mod 3. Two
  * half-edges between the same two vertices in opposite directions are paired and share one record,
@@ -47,19 +48,19 @@ struct edge_table {
 	size_t triangle_count;
 	struct edge_block *blocks; /* [edge_table_blocks()] */
 	size_t next_count;
-	size_t near_count;
-	uint8_t *near_corners; /* the owner's corner */
-	uint8_t *near_places;  /* the neighbour's place in the block */
-	size_t far_count;
-	uint8_t *far_corners; /* the owner's corner */
-	uint8_t *far_places;  /* the neighbour's place in its block */
-	uint8_t *far_links;   /* that block's among the block's links; one behind the last: open */
+	size_t near_count, far_count;
+	/* Of each block the owners' corners and the neighbours' places in it of its near records;
+	 * then of its far ones the owners' corners, the neighbours' places in their blocks, and
+	 * these blocks' among its links: one behind the last where it is open. */
+	uint8_t *records;
 	size_t link_count;
 	uint32_t *links;      /* blocks */
 	uint8_t *link_owners; /* the block whose link it is, modulo EDGE_BLOCK_SET */
 	uint64_t
 		*link_faces; /* a bit for each triangle there that records lead to; or NULL: many */
-	uint64_t *open;      /* [edge_table_sets()]: a bit for each block with an open record */
+	uint32_t *leading;   /* [link_count]: blocks that have a link to a block; or NULL: many */
+	uint64_t *leading_faces; /* of their links; or NULL */
+	uint64_t *open;          /* [edge_table_sets()]: a bit for each block with an open record */
 };
 
 /** indices: [3 * triangle_count], each < vertex_count; triangle_count < 2^31. False: out of
@@ -78,6 +79,27 @@ size_t edge_table_bytes(const struct edge_table *table);
 static inline uint64_t edge_link_faces(const struct edge_table *table, size_t link)
 {
 	return table->link_faces != NULL ? table->link_faces[link] : UINT64_MAX;
+}
+
+/** Where the blocks that lead to block b end. */
+static inline size_t edge_leading_end(const struct edge_table *table, size_t b)
+{
+	return (b + 1) * EDGE_BLOCK < table->triangle_count ? table->blocks[b + 1].leading
+							    : table->link_count;
+}
+
+/** What a table holds of a block's other records: [near_count] and [far_count]. */
+struct edge_records {
+	const uint8_t *near_corners, *near_places, *far_corners, *far_places, *far_links;
+};
+
+static inline struct edge_records edge_block_records(
+	const struct edge_table *table, const struct edge_block *block)
+{
+	const uint8_t *near = &table->records[block->records];
+	const uint8_t *far = near + 2 * (size_t)block->near_count;
+	return (struct edge_records){near, near + block->near_count, far, far + block->far_count,
+		far + 2 * (size_t)block->far_count};
 }
 
 /** Owner's corner of the record of the block's triangle t with the next. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/facing.h"
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -7,13 +8,6 @@ size_t facing_words(const struct caster *caster)
 {
 	return edge_table_blocks(&caster->edges);
 }
-
-/* A light as the quantised planes see it; all zero when they cannot. Once for each triangle of a
- * block: what is the same in each round of a loop, Clang widens before it, and then finds no
- * instruction for the upper half of a product. */
-struct plane_test {
-	int16_t x[EDGE_BLOCK], y[EDGE_BLOCK], z[EDGE_BLOCK], d[EDGE_BLOCK];
-};
 
 /* The sum over nx x, ny y, nz z, d d of the products' upper halves. Above or below these, it has
  * the sign of the exact value. */
@@ -31,8 +25,8 @@ struct plane_test {
  * below 2^-30 of the same scale, at any scale of light and mesh; with a w other than 0, 1 or -1,
  * light.xyz - w p0 could round by more. The sum and its parts stay within 16 bits.
  */
-static void plane_test_init(
-	struct plane_test *test, const struct face_planes *planes, const float light[4])
+static void plane_light_init(
+	struct plane_light *seen, const struct face_planes *planes, const float light[4])
 {
 	double w = light[3];
 	double m[3];
@@ -43,10 +37,10 @@ static void plane_test_init(
 	bool tells = (w == 0.0 || fabs(w) == 1.0) && length > 0.0;
 	double scale = tells ? FACE_PLANE_ONE / length : 0.0;
 	for (int i = 0; i < EDGE_BLOCK; i++) {
-		test->x[i] = (int16_t)lrint(m[0] * scale);
-		test->y[i] = (int16_t)lrint(m[1] * scale);
-		test->z[i] = (int16_t)lrint(m[2] * scale);
-		test->d[i] = (int16_t)lrint(-w * planes->radius * scale);
+		seen->x[i] = (int16_t)lrint(m[0] * scale);
+		seen->y[i] = (int16_t)lrint(m[1] * scale);
+		seen->z[i] = (int16_t)lrint(m[2] * scale);
+		seen->d[i] = (int16_t)lrint(-w * planes->radius * scale);
 	}
 }
 
@@ -87,7 +81,7 @@ static inline int16_t upper_half(int16_t a, int16_t b)
 
 /* Tests a block of count triangles: a bit for each that surely faces the light,
  * with the sums that tell which, and the least distance of one to UNSURE_MIDDLE. */
-static inline uint64_t test_planes(const int16_t *values, int count, const struct plane_test *test,
+static inline uint64_t test_planes(const int16_t *values, int count, const struct plane_light *test,
 	int16_t sums[EDGE_BLOCK], int *least)
 {
 	const int16_t *nx = values, *ny = nx + count, *nz = ny + count, *d = nz + count;
@@ -110,7 +104,7 @@ static inline uint64_t test_planes(const int16_t *values, int count, const struc
 
 /* least: as test_planes() has it, of the block. */
 static inline uint64_t facing_word(const struct caster *caster, size_t b,
-	const struct plane_test *test, const float light[4], int *least)
+	const struct plane_light *test, const float light[4], int *least)
 {
 	size_t first = b * EDGE_BLOCK;
 	const int16_t *values = face_block_values(&caster->planes, b);
@@ -133,53 +127,15 @@ static uint64_t word_of_side(const struct caster *caster, size_t b, uint8_t side
 	return side == CONE_FACES ? UINT64_MAX >> (EDGE_BLOCK - size) : 0;
 }
 
-/* Without cones, or a light that they can tell about, each triangle is tested. */
-static void find_blocks(const struct caster *caster, const float light[4],
-	const struct cone_light *seen, uint64_t *facing)
+size_t facing_padded(const struct caster *caster)
 {
-	size_t blocks = facing_words(caster);
-	struct plane_test test;
-	plane_test_init(&test, &caster->planes, light);
-	for (size_t first = 0; first < blocks; first += CONE_BATCH) {
-		uint8_t sides[CONE_BATCH] = {CONE_MIXED};
-		if (seen != NULL)
-			face_cones_test(&caster->cones, first, seen, sides);
-		for (size_t b = first; b < blocks && b < first + CONE_BATCH; b++) {
-			uint8_t side = sides[b - first];
-			int least;
-			facing[b] = side != CONE_MIXED
-					    ? word_of_side(caster, b, side)
-					    : facing_word(caster, b, &test, light, &least);
-		}
-	}
+	return edge_table_sets(&caster->edges) * EDGE_BLOCK_SET;
 }
 
-static bool is_finite(const float light[4])
+/* What lengths are shares of, in tracks; of a mesh without extent no triangle ever turns. */
+static double track_unit(const struct face_planes *planes)
 {
-	return isfinite(light[0]) && isfinite(light[1]) && isfinite(light[2]) && isfinite(light[3]);
-}
-
-static void find_none(const struct caster *caster, uint64_t *facing)
-{
-	memset(facing, 0, facing_words(caster) * sizeof(*facing));
-}
-
-void facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing)
-{
-	if (is_finite(light))
-		find_blocks(caster, light, NULL, facing);
-	else
-		find_none(caster, facing);
-}
-
-void facing_find(const struct caster *caster, const float light[4], uint64_t *facing)
-{
-	struct cone_light seen;
-	bool cones = caster->cones.count > 0 && cone_light_of(&caster->planes, light, &seen);
-	if (is_finite(light))
-		find_blocks(caster, light, cones ? &seen : NULL, facing);
-	else
-		find_none(caster, facing);
+	return planes->radius > 0.0 ? planes->radius : 1.0;
 }
 
 /* The light's scale in what planes and cones are tested by. */
@@ -190,67 +146,110 @@ static double scale_of(const struct face_planes *planes, const float light[4])
 		double m = light[i] - (double)light[3] * planes->center[i];
 		square += m * m;
 	}
-	return sqrt(square) + fabs((double)light[3]) * planes->radius;
+	return (sqrt(square) + fabs((double)light[3]) * planes->radius) / track_unit(planes);
 }
 
-/* A test of blocks, for a light that is finite. */
-struct block_test {
-	const struct caster *caster;
-	const float *light;
-	double scale;
-	struct cone_light seen;
-	struct plane_test planes;
-};
+/* Below any float by more than a double, or a product in float, rounds it. */
+#define BELOW (1.0f - 0x1p-20f)
 
-/*
- * Tests a block; returns how far the light may go from here, its w as it is, without any triangle
- * turning. What a triangle is tested by, n . (light.xyz - w p0) with the unit normal n, changes by
- * no more than the light goes.
- *
- * By sums: where the distance to the middle is s, the value is at least (s - 3.12) / 2^14 of the
- * scale. It stays above .88 / 2^14 of it within what is returned, and the scale grows to twice
- * itself at most, so that the exact test still tells the same: see plane_test_init().
- */
-static double test_block(const struct block_test *test, size_t b, uint8_t side, uint64_t *word)
+static bool is_finite(const float light[4])
 {
-	int least;
-	double slack;
-	if (side != CONE_MIXED) {
-		*word = word_of_side(test->caster, b, side);
-		slack = face_cones_slack(&test->caster->cones, b, &test->seen, side);
-	} else {
-		*word = facing_word(test->caster, b, &test->planes, test->light, &least);
-		slack = (least - UNSURE_HALF) / 16384.0;
-	}
-	return test->scale * fmax(0.0, fmin(slack, 1.0)) * (1.0 - 0x1p-20);
+	return isfinite(light[0]) && isfinite(light[1]) && isfinite(light[2]) && isfinite(light[3]);
 }
 
-static void renew_batch(
-	const struct block_test *test, size_t first, bool cones, struct facing_track *track)
+void facing_test_init(struct facing_test *test, const struct caster *caster, const float light[4])
+{
+	*test = (struct facing_test){.caster = caster, .light = light, .finite = is_finite(light)};
+	if (!test->finite)
+		return;
+	test->scale = (float)fmin(scale_of(&caster->planes, light), FLT_MAX) * BELOW;
+	test->cones = caster->cones.count > 0 && cone_light_of(&caster->planes, light, &test->seen);
+	plane_light_init(&test->planes, &caster->planes, light);
+}
+
+/* Without cones, or a light that they can tell about, each triangle is tested. */
+static void find_batch(const struct facing_test *test, size_t first, uint64_t *facing)
 {
 	size_t blocks = facing_words(test->caster);
 	uint8_t sides[CONE_BATCH] = {CONE_MIXED};
-	if (cones)
+	if (test->cones)
 		face_cones_test(&test->caster->cones, first, &test->seen, sides);
 	for (size_t b = first; b < blocks && b < first + CONE_BATCH; b++) {
-		uint64_t word;
-		if (track->travel < track->safe[b])
-			continue;
-		double slack = test_block(test, b, sides[b - first], &word);
-		track->safe[b] = nextafter(track->travel + slack, 0.0);
-		track->turned[b] = word ^ track->facing[b];
-		track->facing[b] = word;
-		track->tested++;
+		uint8_t side = sides[b - first];
+		int least;
+		facing[b] = side != CONE_MIXED ? word_of_side(test->caster, b, side)
+					       : facing_word(test->caster, b, &test->planes,
+							 test->light, &least);
 	}
 }
 
-static bool has_expired(const struct facing_track *track, size_t first, size_t blocks)
+/* The block behind the last set. */
+static size_t sets_end(const struct caster *caster, size_t end)
 {
-	size_t end = first + CONE_BATCH < blocks ? first + CONE_BATCH : blocks;
-	int expired = 0;
-	for (size_t b = first; b < end; b++)
-		expired |= !(track->travel < track->safe[b]);
-	return expired != 0;
+	size_t blocks = facing_words(caster);
+	return end * EDGE_BLOCK_SET < blocks ? end * EDGE_BLOCK_SET : blocks;
+}
+
+void facing_find_sets(const struct facing_test *test, size_t first, size_t end, uint64_t *facing)
+{
+	size_t begin = first * EDGE_BLOCK_SET, behind = sets_end(test->caster, end);
+	if (!test->finite) {
+		memset(&facing[begin], 0, (behind - begin) * sizeof(*facing));
+		return;
+	}
+	for (size_t b = begin; b < behind; b += CONE_BATCH)
+		find_batch(test, b, facing);
+}
+
+static void find_by(const struct facing_test *test, uint64_t *facing)
+{
+	facing_find_sets(test, 0, edge_table_sets(&test->caster->edges), facing);
+}
+
+void facing_find(const struct caster *caster, const float light[4], uint64_t *facing)
+{
+	struct facing_test test;
+	facing_test_init(&test, caster, light);
+	find_by(&test, facing);
+}
+
+void facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing)
+{
+	struct facing_test test;
+	facing_test_init(&test, caster, light);
+	test.cones = false;
+	find_by(&test, facing);
+}
+
+/*
+ * Tests a block; returns how far the light may go from here, its w as it is, without any triangle
+ * turning, as a share of its scale. What a triangle is tested by, n . (light.xyz - w p0) with the
+ * unit normal n, changes by no more than the light goes.
+ *
+ * By sums: where the distance to the middle is s, the value is at least (s - 3.12) / 2^14 of the
+ * scale. It stays above .88 / 2^14 of it within what is returned, and the scale grows to twice
+ * itself at most, so that the exact test still tells the same: see plane_light_init().
+ */
+static float test_block(const struct facing_test *test, size_t b, uint64_t *word)
+{
+	int least;
+	float slack;
+	if (test->cones) {
+		enum cone_side side = face_cones_side(&test->caster->cones, b, &test->seen, &slack);
+		*word = word_of_side(test->caster, b, side);
+		if (side != CONE_MIXED)
+			return slack;
+	}
+	*word = facing_word(test->caster, b, &test->planes, test->light, &least);
+	return (float)(least - UNSURE_HALF) / 16384.0f;
+}
+
+static inline void turn(struct facing_track *track, size_t b, uint64_t word)
+{
+	track->turned[b] = word ^ track->facing[b];
+	track->changed[b / EDGE_BLOCK_SET] |= (uint64_t)(word != track->facing[b])
+					      << b % EDGE_BLOCK_SET;
+	track->facing[b] = word;
 }
 
 double facing_way(const struct facing_track *track, const float light[4])
@@ -263,34 +262,63 @@ double facing_way(const struct facing_track *track, const float light[4])
 	return light[3] == track->light[3] && isfinite(square) ? sqrt(square) : INFINITY;
 }
 
-/* Moves the track on to a light. */
-static void travel_to(struct facing_track *track, size_t blocks, const float light[4])
+/* Rounded up, also where it is too small for the precision of floats. */
+float facing_track_move(
+	struct facing_track *track, const struct caster *caster, const float light[4])
 {
-	double way = facing_way(track, light);
-	/* Rounded up, each time. */
-	track->travel = nextafter(track->travel + way * (1.0 + 0x1p-40), INFINITY);
-	if (way == INFINITY) {
-		memset(track->safe, 0, blocks * sizeof(*track->safe));
-		track->travel = 0.0;
-	}
+	double way = facing_way(track, light) / track_unit(&caster->planes);
 	memcpy(track->light, light, sizeof(track->light));
+	return (float)fmin(way * (1.0 + 0x1p-20) + FLT_MIN, FLT_MAX);
 }
 
-void facing_renew(const struct caster *caster, const float light[4], struct facing_track *track)
+/* Takes a way from what is safe of a set's blocks; a bit for each that this leaves nothing. */
+static uint64_t expire(float safe[EDGE_BLOCK_SET], float way)
 {
-	size_t blocks = facing_words(caster);
-	struct block_test test = {caster, light, scale_of(&caster->planes, light), {0}, {{0}}};
-	bool cones = caster->cones.count > 0 && cone_light_of(&caster->planes, light, &test.seen);
-	travel_to(track, blocks, light);
-	track->tested = 0;
-	if (!is_finite(light)) {
-		memcpy(track->turned, track->facing, blocks * sizeof(*track->facing));
-		find_none(caster, track->facing);
-		return;
+	uint8_t expired[EDGE_BLOCK_SET];
+	for (int i = 0; i < EDGE_BLOCK_SET; i++) {
+		safe[i] = safe[i] * BELOW - way;
+		expired[i] = safe[i] <= 0.0f;
 	}
-	memset(track->turned, 0, blocks * sizeof(*track->turned));
-	plane_test_init(&test.planes, &caster->planes, light);
-	for (size_t first = 0; first < blocks; first += CONE_BATCH)
-		if (has_expired(track, first, blocks))
-			renew_batch(&test, first, cones, track);
+	return pack_bytes(expired);
+}
+
+/* Returns how many blocks are tested. */
+static size_t renew_set(
+	const struct facing_test *test, float way, size_t set, struct facing_track *track)
+{
+	size_t first = set * EDGE_BLOCK_SET, count = sets_end(test->caster, set + 1) - first;
+	uint64_t expired =
+		expire(&track->safe[first], way) & UINT64_MAX >> (EDGE_BLOCK_SET - count);
+	track->changed[set] = 0;
+	for (uint64_t left = expired; left != 0; left &= left - 1) {
+		size_t b = first + (size_t)__builtin_ctzll(left);
+		uint64_t word;
+		float share = test_block(test, b, &word);
+		share = share < 1.0f ? share : 1.0f;
+		track->safe[b] = share > 0.0f ? share * test->scale * BELOW : 0.0f;
+		turn(track, b, word);
+	}
+	return (size_t)__builtin_popcountll(expired);
+}
+
+/* Nothing faces a light that is not finite. */
+static void turn_away(const struct facing_test *test, size_t set, struct facing_track *track)
+{
+	track->changed[set] = 0;
+	for (size_t b = set * EDGE_BLOCK_SET; b < sets_end(test->caster, set + 1); b++) {
+		turn(track, b, 0);
+		track->safe[b] = 0.0f;
+	}
+}
+
+size_t facing_renew_sets(const struct facing_test *test, float way, size_t first, size_t end,
+	struct facing_track *track)
+{
+	size_t tested = 0;
+	for (size_t set = first; set < end; set++)
+		if (test->finite)
+			tested += renew_set(test, way, set, track);
+		else
+			turn_away(test, set, track);
+	return tested;
 }

@@ -21,22 +21,54 @@ void facing_find(const struct caster *caster, const float light[4], uint64_t *fa
 /** The same bits, with each triangle tested by itself: what facing_find() is measured against. */
 void facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing);
 
+/** A light as the quantised planes see it. Once for each triangle of a block: what is the same in
+ *  each round of a loop, Clang widens before it, and then finds no instruction for the upper half
+ *  of a product. */
+struct plane_light {
+	int16_t x[EDGE_BLOCK], y[EDGE_BLOCK], z[EDGE_BLOCK], d[EDGE_BLOCK];
+};
+
+/** A test of a caster's blocks for one light, neither of them owned. */
+struct facing_test {
+	const struct caster *caster;
+	const float *light;
+	bool finite; /* else nothing faces it, and no more is known */
+	bool cones;  /* tell about it */
+	float scale; /* of the light, rounded down; a share of the planes' radius */
+	struct cone_light seen;
+	struct plane_light planes;
+};
+
+void facing_test_init(struct facing_test *test, const struct caster *caster, const float light[4]);
+
+/** facing_find() for the sets of EDGE_BLOCK_SET blocks from first up to end. */
+void facing_find_sets(const struct facing_test *test, size_t first, size_t end, uint64_t *facing);
+
+/** Elements of one a block, in whole sets. */
+size_t facing_padded(const struct caster *caster);
+
 /** What is known of the facing of a caster's blocks, as a light moves. Start with zeros, for each
- *  caster: facing, safe and turned are [facing_words()], and the owner's. */
+ *  caster: the arrays are the owner's. */
 struct facing_track {
 	float light[4];
-	double travel;    /* how far it has gone since all was zero, w apart */
-	uint64_t *facing; /* for where it is */
-	double *safe;     /* of each block: no triangle of it turns before it has gone so far */
-	uint64_t *turned; /* a bit for each triangle that turned the last time; no need of zeros */
-	size_t tested;    /* blocks, the last time */
+	uint64_t *facing; /* [facing_words()], for where it is */
+	uint64_t *turned; /* [facing_words()]: a bit for each triangle that turned the last time, of
+			     blocks that have one; of others, anything */
+	float *safe;      /* [facing_padded()]: while the light goes no farther than this, no
+			     triangle of a block turns; shares of the planes' radius */
+	uint64_t *changed; /* [edge_table_sets()]: a bit for each block with one that turned */
 };
 
 /** How far it is from the track's light to another; infinite where w is another, or not finite. */
 double facing_way(const struct facing_track *track, const float light[4]);
 
-/** Makes the facing that of another light, as facing_find() finds it. Blocks of which no triangle
- *  can have turned are not tested. */
-void facing_renew(const struct caster *caster, const float light[4], struct facing_track *track);
+/** Moves the track on to another light, and returns the way as facing_renew_sets() takes it. */
+float facing_track_move(
+	struct facing_track *track, const struct caster *caster, const float light[4]);
+
+/** Makes the facing of some sets that of the light that the track has moved on to, as facing_find()
+ *  finds it. Blocks of which no triangle can have turned are not tested: returns how many are. */
+size_t facing_renew_sets(const struct facing_test *test, float way, size_t first, size_t end,
+	struct facing_track *track);
 
 #endif

@@ -26,6 +26,17 @@ struct corner_list {
 void set_search_list(
 	const struct set_search *search, uint64_t blocks, bool skips, struct corner_list *list);
 
+/** Those blocks of a set that may have edges, a bit for each: the ones that are not on one side of
+ *  the light, and that lead to a triangle that is not on theirs. */
+uint64_t set_search_blocks(const struct edge_table *table, const uint64_t *facing, size_t set);
+
+/** Has memory fetched that set_search_edge() reads. */
+static inline void set_search_fetch(const struct set_search *search, uint16_t corner)
+{
+	size_t b = search->first + corner / 256;
+	__builtin_prefetch(&search->caster->indices[3 * (b * EDGE_BLOCK + corner % EDGE_BLOCK)]);
+}
+
 /** The edge of one of the list's corners. Which way round it is depends on the facing without a
  * branch, which no processor could predict. */
 static inline struct silhouette_edge set_search_edge(

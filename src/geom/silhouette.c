@@ -15,11 +15,10 @@ static inline void list_next(
 
 /* Each corner is written, and kept if it counts: there is no branch, which no processor could
  * predict. */
-static inline void list_near(struct corner_list *list, const struct edge_table *table,
+static inline void list_near(struct corner_list *list, const struct edge_records *records,
 	const struct edge_block *block, uint64_t facing, uint16_t tag)
 {
-	const uint8_t *corners = &table->near_corners[block->near];
-	const uint8_t *places = &table->near_places[block->near];
+	const uint8_t *corners = records->near_corners, *places = records->near_places;
 	uint16_t *restrict end = &list->corners[list->count];
 	for (size_t i = 0; i < block->near_count; i++) {
 		*end = tag | corners[i];
@@ -28,20 +27,22 @@ static inline void list_near(struct corner_list *list, const struct edge_table *
 	list->count = (size_t)(end - list->corners);
 }
 
-static inline void list_far(struct corner_list *list, const struct edge_table *table,
-	const struct edge_block *block, const uint64_t *facing, uint64_t own, uint16_t tag)
+/* links: of the block. */
+static inline void list_far(struct corner_list *list, const struct edge_records *records,
+	const struct edge_block *block, const uint32_t *links, const uint64_t *facing, uint64_t own,
+	uint16_t tag)
 {
-	const uint8_t *corners = &table->far_corners[block->far];
-	const uint8_t *places = &table->far_places[block->far];
-	const uint8_t *links = &table->far_links[block->far];
+	const uint8_t *corners = records->far_corners, *places = records->far_places;
 	uint16_t *restrict end = &list->corners[list->count];
 	uint64_t across[LINKS_MAX + 1];
 	for (unsigned i = 0; i < block->link_count; i++)
-		across[i] = facing[table->links[block->link + i]];
+		across[i] = facing[links[i]];
 	across[block->link_count] = 0;
 	for (size_t i = 0; i < block->far_count; i++) {
 		*end = tag | corners[i];
-		end += (own >> corners[i] % EDGE_BLOCK ^ across[links[i]] >> places[i]) & 1;
+		end += (own >> corners[i] % EDGE_BLOCK ^
+			       across[records->far_links[i]] >> places[i]) &
+		       1;
 	}
 	list->count = (size_t)(end - list->corners);
 }
@@ -57,13 +58,14 @@ static inline void list_block(
 {
 	const struct edge_table *table = &search->caster->edges;
 	const struct edge_block *block = &table->blocks[search->first + b];
+	const struct edge_records records = edge_block_records(table, block);
 	uint64_t own = search->facing[search->first + b];
 	uint16_t tag = (uint16_t)(b << 8);
 	if (!skips || !is_uniform(own)) {
 		list_next(list, block, own, tag);
-		list_near(list, table, block, own, tag);
+		list_near(list, &records, block, own, tag);
 	}
-	list_far(list, table, block, search->facing, own, tag);
+	list_far(list, &records, block, &table->links[block->link], search->facing, own, tag);
 }
 
 void set_search_list(
@@ -111,10 +113,7 @@ static uint64_t set_of_blocks(const struct edge_table *table, size_t set)
 	return UINT64_MAX >> (EDGE_BLOCK_SET - smaller(left, EDGE_BLOCK_SET));
 }
 
-/* Those that may have edges: that are not on one side of the light, and that lead to a triangle
- * that is not on theirs. */
-static inline uint64_t blocks_to_search(
-	const struct edge_table *table, const uint64_t *facing, size_t set)
+uint64_t set_search_blocks(const struct edge_table *table, const uint64_t *facing, size_t set)
 {
 	size_t first = set * EDGE_BLOCK_SET;
 	size_t count = smaller(edge_table_blocks(table) - first, EDGE_BLOCK_SET);
@@ -141,7 +140,7 @@ size_t silhouette_find(const struct caster *caster, const uint64_t *facing,
 	struct edge_output output = {edges, 0, capacity};
 	for (size_t set = 0; set < edge_table_sets(&caster->edges); set++) {
 		struct set_search search = {caster, facing, set * EDGE_BLOCK_SET};
-		find_in_set(&search, blocks_to_search(&caster->edges, facing, set), true, &output);
+		find_in_set(&search, set_search_blocks(&caster->edges, facing, set), true, &output);
 	}
 	return output.count;
 }

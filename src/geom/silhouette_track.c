@@ -10,134 +10,333 @@ void silhouette_track_finish(struct silhouette_track *track)
 	free(track->facing.facing);
 	free(track->facing.safe);
 	free(track->facing.turned);
+	free(track->facing.changed);
+	free(track->renew);
+	free(track->set_starts);
 	free(track->starts);
 	free(track->kept);
 	free(track->next);
+	for (int i = 0; i < WORKERS_MAX; i++)
+		free(track->parts[i].listed);
 	*track = (struct silhouette_track){0};
 }
 
 size_t silhouette_track_bytes(const struct silhouette_track *track)
 {
-	size_t block = sizeof(*track->facing.facing) + sizeof(*track->facing.safe) +
-		       sizeof(*track->facing.turned) + sizeof(*track->starts);
-	size_t end = track->starts != NULL ? sizeof(*track->starts) : 0;
-	return track->block_count * block + end +
+	size_t sets = (track->block_count + EDGE_BLOCK_SET - 1) / EDGE_BLOCK_SET;
+	size_t padded = sets * EDGE_BLOCK_SET;
+	size_t listed = 0;
+	for (int i = 0; i < WORKERS_MAX; i++)
+		listed += track->parts[i].listed_capacity;
+	return track->block_count * (sizeof(*track->facing.facing) + sizeof(*track->facing.turned) +
+					    sizeof(*track->starts)) +
+	       padded * sizeof(*track->facing.safe) +
+	       sets * (sizeof(*track->facing.changed) + sizeof(*track->renew) +
+			      sizeof(*track->set_starts)) +
+	       listed * sizeof(*track->parts->listed) +
 	       (track->kept_capacity + track->next_capacity) * sizeof(*track->kept);
 }
 
 static bool reserve(struct silhouette_track *track, const struct caster *caster)
 {
-	size_t blocks = facing_words(caster);
-	if (track->starts != NULL && track->block_count == blocks)
+	size_t blocks = facing_words(caster), sets = edge_table_sets(&caster->edges);
+	struct facing_track *facing = &track->facing;
+	if (track->set_starts != NULL && track->block_count == blocks)
 		return true;
 	silhouette_track_finish(track);
 	track->block_count = blocks;
-	track->facing.facing = array_alloc(blocks, sizeof(*track->facing.facing));
-	track->facing.safe = array_alloc(blocks, sizeof(*track->facing.safe));
-	track->facing.turned = array_alloc(blocks, sizeof(*track->facing.turned));
-	track->starts = array_alloc(blocks + 1, sizeof(*track->starts));
-	return track->facing.facing != NULL && track->facing.safe != NULL &&
-	       track->facing.turned != NULL && track->starts != NULL;
+	facing->facing = array_zalloc(blocks, sizeof(*facing->facing));
+	facing->turned = array_alloc(blocks, sizeof(*facing->turned));
+	facing->safe = array_alloc(facing_padded(caster), sizeof(*facing->safe));
+	facing->changed = array_alloc(sets, sizeof(*facing->changed));
+	track->renew = array_alloc(sets, sizeof(*track->renew));
+	track->starts = array_zalloc(blocks, sizeof(*track->starts));
+	track->set_starts = array_zalloc(sets, sizeof(*track->set_starts));
+	return facing->facing != NULL && facing->turned != NULL && facing->safe != NULL &&
+	       facing->changed != NULL && track->renew != NULL && track->starts != NULL &&
+	       track->set_starts != NULL;
 }
 
-/* The blocks of a set of which, or of the triangles they lead to, some have turned. */
-static uint64_t blocks_to_renew(
-	const struct edge_table *table, const uint64_t *turned, size_t first, size_t end)
-{
-	const struct edge_block *last = &table->blocks[end - 1];
-	uint64_t renew = 0;
-	for (size_t b = first; b < end; b++)
-		renew |= (uint64_t)(turned[b] != 0) << (b - first);
-	for (size_t i = table->blocks[first].link; i < last->link + last->link_count; i++) {
-		uint64_t across = turned[table->links[i]] & edge_link_faces(table, i);
-		renew |= (uint64_t)(across != 0) << table->link_owners[i];
-	}
-	return renew;
-}
-
-/* Goes through the sets of blocks, from the kept edges to the next. */
-struct renewal {
+/* One search. */
+struct search {
 	struct silhouette_track *track;
-	size_t count;              /* of next edges */
-	size_t begin;              /* of a block's kept edges */
-	struct corner_list listed; /* of one set */
+	const struct facing_test *test;
+	struct workers *workers; /* or NULL */
+	unsigned parts;
+	float way; /* that the light has gone */
 };
 
-/* Takes over the kept edges of blocks: from first up to end. */
-static void keep_blocks(struct renewal *renewal, size_t first, size_t end)
+/* Marks a block that is to be searched. */
+static inline void mark(const struct search *search, size_t b)
 {
-	struct silhouette_track *track = renewal->track;
-	size_t kept = track->starts[end] - renewal->begin;
-	size_t shift = renewal->count - renewal->begin;
-	if (kept > 0)
-		memcpy(&track->next[renewal->count], &track->kept[renewal->begin],
-			kept * sizeof(*track->kept));
-	for (size_t b = first; b < end; b++)
-		track->starts[b] += shift;
-	renewal->count += kept;
-	renewal->begin += kept;
+	_Atomic uint64_t *word = &search->track->renew[b / EDGE_BLOCK_SET];
+	uint64_t bit = UINT64_C(1) << b % EDGE_BLOCK_SET;
+	uint64_t before = atomic_load_explicit(word, memory_order_relaxed);
+	if ((before & bit) != 0)
+		return;
+	if (search->parts > 1)
+		atomic_fetch_or_explicit(word, bit, memory_order_relaxed);
+	else
+		atomic_store_explicit(word, before | bit, memory_order_relaxed);
 }
 
-/* Moves the kept edges of a set to where they go, with room between them; shifts: from places in
- * the list to places among the next edges, of each block that is renewed. */
-static void make_room(struct renewal *renewal, size_t first, size_t end, uint64_t renew,
-	size_t shifts[EDGE_BLOCK_SET])
+/* Marks a set's blocks with triangles that have turned, and those that lead to such where links are
+ * known that way around. */
+static void mark_set(const struct search *search, size_t set)
 {
-	struct silhouette_track *track = renewal->track;
-	size_t b = first, listed = 0;
-	for (; renew != 0; renew &= renew - 1) {
-		unsigned place = (unsigned)__builtin_ctzll(renew);
-		size_t after = renewal->listed.ends[place];
-		keep_blocks(renewal, b, first + place);
-		b = first + place;
-		renewal->begin = track->starts[b + 1];
-		track->starts[b] = renewal->count;
-		shifts[place] = renewal->count - listed;
-		renewal->count += after - listed;
-		listed = after;
-		b++;
+	const struct edge_table *table = &search->test->caster->edges;
+	const struct facing_track *facing = &search->track->facing;
+	for (uint64_t changed = facing->changed[set]; changed != 0; changed &= changed - 1) {
+		size_t b = set * EDGE_BLOCK_SET + (size_t)__builtin_ctzll(changed);
+		size_t end = table->leading != NULL ? edge_leading_end(table, b) : 0;
+		mark(search, b);
+		for (size_t i = table->blocks[b].leading; i < end; i++)
+			if ((facing->turned[b] & table->leading_faces[i]) != 0)
+				mark(search, table->leading[i]);
 	}
-	keep_blocks(renewal, b, end);
 }
 
-static bool renew_set(
-	struct renewal *renewal, const struct set_search *search, size_t end, uint64_t renew)
+/* A bit for each block of a set that leads to triangles that have turned. */
+static uint64_t blocks_that_lead(
+	const struct edge_table *table, const struct facing_track *facing, size_t set, size_t last)
 {
-	struct silhouette_track *track = renewal->track;
-	struct corner_list *listed = &renewal->listed;
-	size_t shifts[EDGE_BLOCK_SET];
-	set_search_list(search, renew, true, listed);
-	size_t most = renewal->count + track->starts[end] - renewal->begin + listed->count;
-	if (!array_reserve(
-		    (void **)&track->next, &track->next_capacity, most, sizeof(*track->next)))
+	const struct edge_block *end = &table->blocks[last];
+	uint64_t found = 0;
+	for (size_t i = table->blocks[set * EDGE_BLOCK_SET].link; i < end->link + end->link_count;
+		i++) {
+		uint32_t b = table->links[i];
+		bool changed = facing->changed[b / EDGE_BLOCK_SET] >> b % EDGE_BLOCK_SET & 1;
+		uint64_t turned = changed ? facing->turned[b] : 0;
+		found |= (uint64_t)((turned & edge_link_faces(table, i)) != 0)
+			 << table->link_owners[i];
+	}
+	return found;
+}
+
+static void renew_facing(void *data, unsigned index)
+{
+	const struct search *search = data;
+	struct silhouette_track *track = search->track;
+	struct track_part *part = &track->parts[index];
+	part->tested = facing_renew_sets(
+		search->test, search->way, part->first, part->end, &track->facing);
+	for (size_t set = part->first; set < part->end; set++)
+		mark_set(search, set);
+}
+
+static void find_facing(void *data, unsigned index)
+{
+	const struct search *search = data;
+	struct track_part *part = &search->track->parts[index];
+	facing_find_sets(search->test, part->first, part->end, search->track->facing.facing);
+}
+
+/* Appends what is listed of a set's blocks. */
+static bool append_list(struct track_part *part, uint64_t blocks, const struct corner_list *list)
+{
+	size_t ends = (size_t)__builtin_popcountll(blocks);
+	if (!array_reserve((void **)&part->listed, &part->listed_capacity,
+		    part->listed_count + ends + list->count, sizeof(*part->listed)))
 		return false;
-	make_room(renewal, search->first, end, renew, shifts);
-	for (size_t i = 0; i < listed->count; i++) {
-		uint16_t corner = listed->corners[i];
-		track->next[i + shifts[corner / 256]] = set_search_edge(search, corner);
-	}
-	track->searched += (size_t)__builtin_popcountll(renew);
+	uint16_t *listed = &part->listed[part->listed_count];
+	for (; blocks != 0; blocks &= blocks - 1)
+		*listed++ = list->ends[__builtin_ctzll(blocks)];
+	memcpy(listed, list->corners, list->count * sizeof(*listed));
+	part->listed_count += ends + list->count;
 	return true;
 }
 
-static bool renew_edges(struct silhouette_track *track, const struct caster *caster)
+static size_t set_size(const struct silhouette_track *track, size_t set)
 {
-	const struct edge_table *table = &caster->edges;
-	struct renewal renewal;
-	renewal.track = track;
-	renewal.count = renewal.begin = 0;
-	for (size_t set = 0; set < edge_table_sets(table); set++) {
-		struct set_search search = {caster, track->facing.facing, set * EDGE_BLOCK_SET};
-		size_t end = search.first + EDGE_BLOCK_SET;
-		if (end > track->block_count)
-			end = track->block_count;
-		uint64_t renew = blocks_to_renew(table, track->facing.turned, search.first, end);
-		if (!renew_set(&renewal, &search, end, renew))
-			return false;
+	size_t left = track->block_count - set * EDGE_BLOCK_SET;
+	return left < EDGE_BLOCK_SET ? left : EDGE_BLOCK_SET;
+}
+
+/* Where a set's kept edges end. */
+static size_t set_end(
+	const struct silhouette_track *track, const struct track_part *part, size_t set)
+{
+	return set + 1 < part->end ? track->set_starts[set + 1] : part->kept_end;
+}
+
+/* How many of a set's kept edges, `size`, are of some of its blocks. */
+static size_t count_kept(
+	const struct silhouette_track *track, size_t set, size_t size, uint64_t blocks)
+{
+	size_t count = 0, last = set_size(track, set) - 1;
+	const uint16_t *starts = &track->starts[set * EDGE_BLOCK_SET];
+	for (; blocks != 0; blocks &= blocks - 1) {
+		size_t b = (size_t)__builtin_ctzll(blocks);
+		count += (b < last ? starts[b + 1] : size) - starts[b];
 	}
-	track->starts[track->block_count] = renewal.count;
-	track->edge_count = renewal.count;
-	return true;
+	return count;
+}
+
+/* A bit for each block of a set that is to be searched. */
+static uint64_t blocks_to_list(const struct search *search, size_t set)
+{
+	const struct silhouette_track *track = search->track;
+	const struct edge_table *table = &search->test->caster->edges;
+	size_t last = set * EDGE_BLOCK_SET + set_size(track, set) - 1;
+	if (track->plain)
+		return set_search_blocks(table, track->facing.facing, set);
+	if (table->leading != NULL)
+		return track->renew[set];
+	return track->renew[set] | blocks_that_lead(table, &track->facing, set, last);
+}
+
+/* Lists the edges of the blocks that are to be searched, and counts how many there are with those
+ * that are kept. */
+static void list_part(void *data, unsigned index)
+{
+	const struct search *search = data;
+	struct silhouette_track *track = search->track;
+	struct track_part *part = &track->parts[index];
+	const struct caster *caster = search->test->caster;
+	struct corner_list list;
+	part->listed_count = part->searched = 0;
+	part->edge_count = part->kept_end - part->kept_begin;
+	for (size_t set = part->first; set < part->end && !part->failed; set++) {
+		struct set_search blocks = {caster, track->facing.facing, set * EDGE_BLOCK_SET};
+		uint64_t renew = blocks_to_list(search, set);
+		track->renew[set] = renew;
+		if (renew == 0)
+			continue;
+		size_t size = set_end(track, part, set) - track->set_starts[set];
+		set_search_list(&blocks, renew, true, &list);
+		part->edge_count += list.count - count_kept(track, set, size, renew);
+		part->searched += (size_t)__builtin_popcountll(renew);
+		part->failed = !append_list(part, renew, &list);
+	}
+}
+
+/* Goes through a set, from the kept edges to the next. */
+struct set_renewal {
+	const struct silhouette_edge *kept; /* the set's */
+	struct silhouette_edge *next;
+	uint16_t *starts;
+	size_t from, to; /* places among these */
+};
+
+static void copy_edges(struct silhouette_edge *to, const struct silhouette_edge *from, size_t count)
+{
+	if (count > 0)
+		memcpy(to, from, count * sizeof(*to));
+}
+
+/* Takes over the kept edges of blocks from first up to end, which are those up to `behind`. */
+static void keep_blocks(struct set_renewal *renewal, size_t first, size_t end, size_t behind)
+{
+	size_t count = behind - renewal->from, shift = renewal->to - renewal->from;
+	copy_edges(&renewal->next[renewal->to], &renewal->kept[renewal->from], count);
+	for (size_t b = first; b < end; b++)
+		renewal->starts[b] = (uint16_t)(renewal->starts[b] + shift);
+	renewal->from += count;
+	renewal->to += count;
+}
+
+/* Moves the kept edges, `size`, of a set of `count` blocks to where they go, with room between
+ * them; shifts: from places in the list to places among the next edges, of each block that is
+ * renewed. */
+static void make_room(struct set_renewal *renewal, size_t count, size_t size, uint64_t renew,
+	const uint16_t *ends, size_t shifts[EDGE_BLOCK_SET])
+{
+	uint16_t *starts = renewal->starts;
+	size_t b = 0, listed = 0;
+	for (; renew != 0; renew &= renew - 1) {
+		size_t place = (size_t)__builtin_ctzll(renew);
+		keep_blocks(renewal, b, place, starts[place]);
+		b = place + 1;
+		renewal->from = b < count ? starts[b] : size;
+		starts[place] = (uint16_t)renewal->to;
+		shifts[place] = renewal->to - listed;
+		renewal->to += *ends - listed;
+		listed = *ends++;
+	}
+	keep_blocks(renewal, b, count, size);
+}
+
+/* Writes the edges of a set, `size` of which are kept; returns what is listed behind it. */
+static const uint16_t *write_set(const struct search *search, size_t set, size_t size,
+	struct set_renewal *renewal, const uint16_t *listed)
+{
+	const struct silhouette_track *track = search->track;
+	const struct set_search blocks = {
+		search->test->caster, track->facing.facing, set * EDGE_BLOCK_SET};
+	uint64_t renew = track->renew[set];
+	size_t shifts[EDGE_BLOCK_SET], ends = (size_t)__builtin_popcountll(renew);
+	size_t count = listed[ends - 1];
+	const uint16_t *corners = &listed[ends];
+	for (size_t i = 0; i < count; i++)
+		set_search_fetch(&blocks, corners[i]);
+	make_room(renewal, set_size(track, set), size, renew, listed, shifts);
+	for (size_t i = 0; i < count; i++)
+		renewal->next[i + shifts[corners[i] / 256]] = set_search_edge(&blocks, corners[i]);
+	return &corners[count];
+}
+
+static void write_part(void *data, unsigned index)
+{
+	const struct search *search = data;
+	struct silhouette_track *track = search->track;
+	struct track_part *part = &track->parts[index];
+	const uint16_t *listed = part->listed;
+	size_t begin = part->kept_begin, out = part->out;
+	for (size_t set = part->first; set < part->end; set++) {
+		size_t end = set_end(track, part, set), size = end - begin;
+		struct set_renewal renewal = {.kept = &track->kept[begin],
+			.next = &track->next[out],
+			.starts = &track->starts[set * EDGE_BLOCK_SET]};
+		if (track->renew[set] != 0) {
+			listed = write_set(search, set, size, &renewal, listed);
+		} else {
+			copy_edges(renewal.next, renewal.kept, size);
+			renewal.to = size;
+		}
+		track->set_starts[set] = out;
+		out += renewal.to;
+		begin = end;
+	}
+}
+
+static void split(const struct search *search)
+{
+	struct silhouette_track *track = search->track;
+	size_t sets = edge_table_sets(&search->test->caster->edges), end = 0;
+	for (unsigned i = 0; i < search->parts; i++) {
+		struct track_part *part = &track->parts[i];
+		part->first = end;
+		part->end = end = sets * (i + 1) / search->parts;
+		part->kept_begin = part->first < sets ? track->set_starts[part->first] : 0;
+		part->kept_end = end < sets ? track->set_starts[end] : track->kept_count;
+		part->failed = false;
+	}
+}
+
+static void run(const struct search *search, void (*work)(void *data, unsigned part))
+{
+	if (search->parts > 1)
+		workers_run(search->workers, work, (void *)search);
+	else
+		work((void *)search, 0);
+}
+
+/* Gives each part its place among the next edges. */
+static bool place_parts(const struct search *search)
+{
+	struct silhouette_track *track = search->track;
+	track->edge_count = track->tested = track->searched = 0;
+	for (unsigned i = 0; i < search->parts; i++) {
+		struct track_part *part = &track->parts[i];
+		if (part->failed)
+			return false;
+		part->out = track->edge_count;
+		track->edge_count += part->edge_count;
+		track->tested += part->tested;
+		track->searched += part->searched;
+	}
+	return array_reserve((void **)&track->next, &track->next_capacity, track->edge_count,
+		sizeof(*track->next));
 }
 
 static void swap_edges(struct silhouette_track *track)
@@ -149,6 +348,17 @@ static void swap_edges(struct silhouette_track *track)
 	track->next = edges;
 	track->next_capacity = capacity;
 	track->edges = track->kept;
+	track->kept_count = track->edge_count;
+}
+
+static bool find_edges(const struct search *search)
+{
+	run(search, list_part);
+	if (!place_parts(search))
+		return false;
+	run(search, write_part);
+	swap_edges(search->track);
+	return true;
 }
 
 /* With more than this share of blocks tested, keeping what was found takes more time than it saves.
@@ -158,41 +368,41 @@ static void swap_edges(struct silhouette_track *track)
 /* So many steps in a row tell: of few blocks, most are tested now and then. */
 #define MANY_STEPS 4
 
-static bool track_step(struct silhouette_track *track, const struct caster *caster,
-	const float light[4], double way)
+static bool track_step(const struct search *search, double way)
 {
-	if (track->plain) {
-		memset(track->facing.facing, 0, track->block_count * sizeof(uint64_t));
-		memset(track->facing.safe, 0, track->block_count * sizeof(double));
-		memset(track->starts, 0, (track->block_count + 1) * sizeof(size_t));
-	}
-	facing_renew(caster, light, &track->facing);
-	bool many = (double)track->facing.tested > TESTED_MAX * (double)track->block_count;
-	if (!track->plain)
+	struct silhouette_track *track = search->track;
+	bool knew = !track->plain;
+	if (!knew)
+		memset(track->facing.safe, 0,
+			facing_padded(search->test->caster) * sizeof(*track->facing.safe));
+	track->plain = false;
+	split(search);
+	memset((void *)track->renew, 0,
+		edge_table_sets(&search->test->caster->edges) * sizeof(*track->renew));
+	run(search, renew_facing);
+	if (!find_edges(search))
+		return false;
+	bool many = (double)track->tested > TESTED_MAX * (double)track->block_count;
+	if (knew)
 		track->many = many ? track->many + 1 : 0;
 	if (track->many >= MANY_STEPS && (track->far == 0.0 || way < track->far))
 		track->far = way;
-	track->plain = false;
-	track->searched = 0;
-	return renew_edges(track, caster);
+	return true;
 }
 
-static bool find_plainly(
-	struct silhouette_track *track, const struct caster *caster, const float light[4])
+static bool find_plainly(const struct search *search)
 {
-	facing_find(caster, light, track->facing.facing);
-	memcpy(track->facing.light, light, sizeof(track->facing.light));
+	struct silhouette_track *track = search->track;
+	size_t sets = edge_table_sets(&search->test->caster->edges);
 	track->plain = true;
-	track->facing.tested = track->searched = track->block_count;
-	size_t count =
-		silhouette_find(caster, track->facing.facing, track->next, track->next_capacity);
-	track->edge_count = count;
-	if (count <= track->next_capacity)
-		return true;
-	if (!array_reserve(
-		    (void **)&track->next, &track->next_capacity, count, sizeof(*track->next)))
+	track->kept_count = 0;
+	memset(track->set_starts, 0, sets * sizeof(*track->set_starts));
+	memset(track->starts, 0, track->block_count * sizeof(*track->starts));
+	split(search);
+	run(search, find_facing);
+	if (!find_edges(search))
 		return false;
-	silhouette_find(caster, track->facing.facing, track->next, count);
+	track->tested = track->searched = track->block_count;
 	return true;
 }
 
@@ -204,34 +414,38 @@ static bool is_same(
 	       memcmp(track->facing.light, light, sizeof(track->facing.light)) == 0;
 }
 
-static bool track_light(
-	struct silhouette_track *track, const struct caster *caster, const float light[4])
+static bool track_light(struct silhouette_track *track, const struct caster *caster,
+	const float light[4], struct workers *workers)
 {
+	struct facing_test test;
+	struct search search = {.track = track, .test = &test, .workers = workers, .parts = 1};
 	if (!reserve(track, caster))
 		return false;
+	if (caster->triangle_count >= TRACK_SHARED_MIN)
+		search.parts = workers_share(workers);
+	facing_test_init(&test, caster, light);
+	double way = facing_way(&track->facing, light);
+	search.way = facing_track_move(&track->facing, caster, light);
 	if (track->version != caster->version) {
 		/* One that moves is another each time. */
 		track->version = caster->version;
 		track->far = 0.0;
 		track->many = 0;
-		return find_plainly(track, caster, light);
+		return find_plainly(&search);
 	}
-	double way = facing_way(&track->facing, light);
 	bool far = track->far > 0.0 && way >= track->far;
-	return far ? find_plainly(track, caster, light) : track_step(track, caster, light, way);
+	return far ? find_plainly(&search) : track_step(&search, way);
 }
 
-bool silhouette_track(
-	struct silhouette_track *track, const struct caster *caster, const float light[4])
+bool silhouette_track(struct silhouette_track *track, const struct caster *caster,
+	const float light[4], struct workers *workers)
 {
 	if (is_same(track, caster, light)) {
-		track->facing.tested = track->searched = 0;
+		track->tested = track->searched = 0;
 		return true;
 	}
-	if (!track_light(track, caster, light)) {
-		silhouette_track_finish(track);
-		return false;
-	}
-	swap_edges(track);
-	return true;
+	if (track_light(track, caster, light, workers))
+		return true;
+	silhouette_track_finish(track);
+	return false;
 }

@@ -2,34 +2,56 @@
 #ifndef GEOM_SILHOUETTE_TRACK_H
 #define GEOM_SILHOUETTE_TRACK_H
 
+#include "base/workers.h"
 #include "geom/silhouette.h"
+#include <stdatomic.h>
+
+/** Meshes of fewer triangles are searched faster than threads wake up. */
+#define TRACK_SHARED_MIN 200000
+
+/** Some sets of blocks, which one thread searches. */
+struct track_part {
+	size_t first, end;                /* sets */
+	size_t kept_begin, kept_end, out; /* among kept and next edges */
+	size_t tested, searched;          /* blocks */
+	/* Of each set that is searched, where each block that is ends, and then the corners. */
+	uint16_t *listed;
+	size_t listed_count, listed_capacity;
+	size_t edge_count;
+	bool failed;
+};
 
 /**
  * A caster's silhouette as a light moves: what is found for one place of the light is kept, and for
  * the next only those blocks are searched of which a triangle has turned, or one they lead to.
- * 32 bytes a block and 16 an edge of the silhouette. Zero is empty, and of no caster.
+ * 22 bytes a block and 16 an edge of the silhouette. Zero is empty, and of no caster.
  * Where the light goes so far that most blocks have to be tested, as it jumps, nothing is kept.
  */
 struct silhouette_track {
 	const struct silhouette_edge *edges; /* as silhouette_find() finds them */
 	size_t edge_count;
-	size_t searched; /* blocks, the last time */
+	size_t tested, searched; /* blocks, the last time */
 	struct facing_track facing;
 	/* Owned, but for edges */
 	uint64_t version; /* the caster's; 0: none */
-	bool plain;       /* nothing but edges and facing is known of the last time */
+	bool plain;       /* it isn't known how far the light may go */
 	double far;       /* steps of at least this are as well searched plainly; 0: none known */
 	unsigned many;    /* steps in a row that had most blocks tested */
 	size_t block_count;
-	size_t *starts; /* [block_count + 1]: where the edges of each block begin */
+	_Atomic uint64_t *renew; /* a bit for each block, a word for each set: to be searched */
+	size_t *set_starts;      /* where the edges of each set begin */
+	uint16_t *starts;        /* [block_count]: the same of blocks, from there */
 	struct silhouette_edge *kept, *next;
-	size_t kept_capacity, next_capacity;
+	size_t kept_count, kept_capacity, next_capacity;
+	struct track_part parts[WORKERS_MAX];
 };
 
 /** Makes the track that of a light, and a caster: any other than the last time, too. light: as
- *  facing_find() takes it. False: out of memory; the track is empty then. */
-bool silhouette_track(
-	struct silhouette_track *track, const struct caster *caster, const float light[4]);
+ *  facing_find() takes it. workers: share the work on meshes of TRACK_SHARED_MIN triangles; NULL:
+ *  there are none. Whoever works, the edges and their order are the same. False: out of memory;
+ *  the track is empty then. */
+bool silhouette_track(struct silhouette_track *track, const struct caster *caster,
+	const float light[4], struct workers *workers);
 void silhouette_track_finish(struct silhouette_track *track);
 
 /** Of memory. */

@@ -19,14 +19,14 @@ static struct mesh mesh_of(const struct model *model)
 }
 
 /* The track is what a search finds that passes nothing over and keeps nothing. */
-static void check_track(
-	struct silhouette_track *track, const struct caster *caster, const float light[4])
+static void check_shared(struct silhouette_track *track, const struct caster *caster,
+	const float light[4], struct workers *workers)
 {
 	size_t words = facing_words(caster), capacity = edge_table_records(&caster->edges);
 	uint64_t *facing = malloc(words * sizeof(*facing));
 	struct silhouette_edge *edges = malloc(capacity * sizeof(*edges) + 1);
 	assert_true(facing != NULL && edges != NULL);
-	assert_true(silhouette_track(track, caster, light));
+	assert_true(silhouette_track(track, caster, light, workers));
 	facing_find_all(caster, light, facing);
 	assert_memory_equal(track->facing.facing, facing, words * sizeof(*facing));
 	size_t count = silhouette_find_all(caster, facing, edges, capacity);
@@ -35,6 +35,12 @@ static void check_track(
 		assert_memory_equal(track->edges, edges, count * sizeof(*edges));
 	free(facing);
 	free(edges);
+}
+
+static void check_track(
+	struct silhouette_track *track, const struct caster *caster, const float light[4])
+{
+	check_shared(track, caster, light, NULL);
 }
 
 /* Anywhere around the caster, or one of its vertices. */
@@ -129,7 +135,7 @@ static void small_steps_leave_most_blocks_alone(void **state)
 		float angle = 0.002f * (float)i,
 		      light[4] = {3 * cosf(angle), 2, 3 * sinf(angle), 1};
 		check_track(&track, &mesh.caster, light);
-		tested += track.facing.tested;
+		tested += track.tested;
 		searched += track.searched;
 	}
 	/* All of them once. */
@@ -142,12 +148,38 @@ static void small_steps_leave_most_blocks_alone(void **state)
 	model_finish(&model);
 }
 
+/* A track goes from so many threads to as many others. */
+static void is_the_same_whoever_works(void **state)
+{
+	(void)state;
+	struct model model = model_sphere(8);
+	struct mesh mesh = mesh_of(&model);
+	struct silhouette_track track = {0};
+	uint64_t random = 17;
+	float light[4];
+	assert_true(mesh.caster.triangle_count >= TRACK_SHARED_MIN);
+	jump(&random, &mesh.caster, light);
+	for (unsigned i = 0; i < 32; i++) {
+		struct workers workers = {.most = 1 + i / 2 % 4};
+		check_shared(&track, &mesh.caster, light, &workers);
+		workers_finish(&workers);
+		if (i % 8 == 7)
+			jump(&random, &mesh.caster, light);
+		else
+			light[i % 3] += 0.002f * (float)i;
+	}
+	silhouette_track_finish(&track);
+	mesh_finish(&mesh);
+	model_finish(&model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(equals_a_search_of_all),
 		cmocka_unit_test(holds_at_any_scale_and_place),
 		cmocka_unit_test(forgets_other_casters),
+		cmocka_unit_test(is_the_same_whoever_works),
 		cmocka_unit_test(small_steps_leave_most_blocks_alone),
 	};
 	return cmocka_run_group_tests_name("silhouette_track", tests, NULL, NULL);
