@@ -185,6 +185,13 @@ bool sm_renderer_set_skips(struct sm_renderer *renderer, const char *skips, stru
 	return skips_set(&renderer->gpu.skips, skips, error);
 }
 
+void sm_renderer_set_threads(struct sm_renderer *renderer, uint32_t count)
+{
+	struct workers *workers = &renderer->gpu.workers;
+	workers_finish(workers);
+	workers->most = count;
+}
+
 void sm_renderer_get_skip_stats(
 	const struct sm_renderer *renderer, size_t index, struct sm_skip_stats *stats)
 {

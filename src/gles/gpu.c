@@ -19,6 +19,7 @@ bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, const struct sm_driver_opti
 
 void gpu_finish(struct gpu *gpu)
 {
+	workers_finish(&gpu->workers);
 	if (gpu->gl.GetError == NULL)
 		return;
 	gl_delete_buffer(&gpu->gl, &gpu->quad_indices);

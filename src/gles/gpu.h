@@ -2,6 +2,7 @@
 #ifndef GLES_GPU_H
 #define GLES_GPU_H
 
+#include "base/workers.h"
 #include "gles/gpu_scene.h"
 #include "gles/program.h"
 #include "gles/skip.h"
@@ -22,7 +23,8 @@ struct gpu {
 	uint32_t raster_bits;  /* see raster_grid.h; 0 until it is asked for */
 	struct sm_frame_stats stats;
 	struct skips skips;
-	uint64_t failures; /* frames that failed: nobody knows what they left in textures */
+	struct workers workers; /* share the search of large meshes */
+	uint64_t failures;      /* frames that failed: nobody knows what they left in textures */
 };
 
 /** Fails as sm_renderer_create_with(). */

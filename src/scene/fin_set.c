@@ -102,7 +102,8 @@ static bool add_caster(struct fin_set *set, struct silhouette_track *track,
 	vec4 light;
 	glm_mat4_inv((vec4 *)object->transform, to_object);
 	glm_mat4_mulv(to_object, (float *)frame->origin, light);
-	if (!silhouette_track(track, caster, light, NULL) || !append_fins(set, caster, track, params))
+	if (!silhouette_track(track, caster, light, set->workers) ||
+		!append_fins(set, caster, track, params))
 		return false;
 	part->edge_count = track->edge_count;
 	part->count = set->vertex_count - part->first;

@@ -41,6 +41,8 @@ struct fin_set {
 	size_t part_count;
 	size_t edge_count; /* of silhouettes that were looked for and fins are on */
 	size_t caster_count, missing_count; /* casters, and those that were left out */
+	struct workers *workers;            /* share the search of large meshes; not owned, may
+					       be NULL */
 	/* Working memory; owned */
 	struct fin_vertex *before;       /* what vertices were, where some are kept */
 	struct silhouette_track *tracks; /* of the scene's objects, as the light sees them */

@@ -9,6 +9,7 @@
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu)
 {
 	struct gl *gl = &gpu->gl;
+	stream->set.workers = &gpu->workers;
 	stream->array = gl_create_vertex_array(gl);
 	stream->buffer = gl_create_buffer(gl, STORAGE_FINS);
 	gl->BindVertexArray(stream->array);
