@@ -6,7 +6,7 @@
 /* Takes parts until none is left; the mutex is held before and after. */
 static void take_parts(struct workers *workers)
 {
-	while (workers->next < workers->count) {
+	while (workers->next < workers->parts) {
 		unsigned part = workers->next++;
 		pthread_mutex_unlock(&workers->mutex);
 		workers->work(workers->data, part);
@@ -85,17 +85,19 @@ unsigned workers_share(struct workers *workers)
 	return workers->count;
 }
 
-void workers_run(struct workers *workers, void (*work)(void *data, unsigned part), void *data)
+void workers_run(struct workers *workers, unsigned parts, void (*work)(void *data, unsigned part),
+	void *data)
 {
 	if (workers_share(workers) == 1) {
-		work(data, 0);
+		for (unsigned part = 0; part < parts; part++)
+			work(data, part);
 		return;
 	}
 	pthread_mutex_lock(&workers->mutex);
 	workers->work = work;
 	workers->data = data;
 	workers->next = 0;
-	workers->left = workers->count;
+	workers->parts = workers->left = parts;
 	workers->round++;
 	pthread_cond_broadcast(&workers->begun);
 	take_parts(workers);

@@ -17,18 +17,19 @@ struct workers {
 	pthread_cond_t begun, done;
 	void (*work)(void *data, unsigned part);
 	void *data;
-	unsigned long round; /* of work */
-	unsigned next, left; /* parts to take, and those not done */
+	unsigned long round;        /* of work */
+	unsigned parts, next, left; /* to do, the next to take, and how many are not done */
 	bool ends;
 };
 
-/** How many parts work is best split into: the threads are started, where they are not. 1 for NULL,
- *  on one processor, and where none can be started. */
+/** How many threads share work: they are started, where they are not. 1 for NULL, on one processor,
+ *  and where none can be started. */
 unsigned workers_share(struct workers *workers);
 
-/** Runs work(data, part) for each part below workers->count, in any order and on any thread, and
- *  returns when all are done. To be called by one thread at a time. */
-void workers_run(struct workers *workers, void (*work)(void *data, unsigned part), void *data);
+/** Runs work(data, part) for each part below `parts`, in any order and on any thread, and returns
+ *  when all are done. To be called by one thread at a time. */
+void workers_run(struct workers *workers, unsigned parts, void (*work)(void *data, unsigned part),
+	void *data);
 
 /** Ends the threads. */
 void workers_finish(struct workers *workers);

@@ -16,7 +16,7 @@ void silhouette_track_finish(struct silhouette_track *track)
 	free(track->starts);
 	free(track->kept);
 	free(track->next);
-	for (int i = 0; i < WORKERS_MAX; i++)
+	for (int i = 0; i < TRACK_PARTS * WORKERS_MAX; i++)
 		free(track->parts[i].listed);
 	*track = (struct silhouette_track){0};
 }
@@ -26,7 +26,7 @@ size_t silhouette_track_bytes(const struct silhouette_track *track)
 	size_t sets = (track->block_count + EDGE_BLOCK_SET - 1) / EDGE_BLOCK_SET;
 	size_t padded = sets * EDGE_BLOCK_SET;
 	size_t listed = 0;
-	for (int i = 0; i < WORKERS_MAX; i++)
+	for (int i = 0; i < TRACK_PARTS * WORKERS_MAX; i++)
 		listed += track->parts[i].listed_capacity;
 	return track->block_count * (sizeof(*track->facing.facing) + sizeof(*track->facing.turned) +
 					    sizeof(*track->starts)) +
@@ -316,7 +316,7 @@ static void split(const struct search *search)
 static void run(const struct search *search, void (*work)(void *data, unsigned part))
 {
 	if (search->parts > 1)
-		workers_run(search->workers, work, (void *)search);
+		workers_run(search->workers, search->parts, work, (void *)search);
 	else
 		work((void *)search, 0);
 }
@@ -423,6 +423,8 @@ static bool track_light(struct silhouette_track *track, const struct caster *cas
 		return false;
 	if (caster->triangle_count >= TRACK_SHARED_MIN)
 		search.parts = workers_share(workers);
+	if (search.parts > 1)
+		search.parts *= TRACK_PARTS;
 	facing_test_init(&test, caster, light);
 	double way = facing_way(&track->facing, light);
 	search.way = facing_track_move(&track->facing, caster, light);

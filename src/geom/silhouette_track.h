@@ -9,6 +9,10 @@
 /** Meshes of fewer triangles are searched faster than threads wake up. */
 #define TRACK_SHARED_MIN 200000
 
+/** Parts that work is split into, for each thread that shares it: more than one, as silhouettes are
+ *  not everywhere. */
+#define TRACK_PARTS 4
+
 /** Some sets of blocks, which one thread searches. */
 struct track_part {
 	size_t first, end;                /* sets */
@@ -43,7 +47,7 @@ struct silhouette_track {
 	uint16_t *starts;        /* [block_count]: the same of blocks, from there */
 	struct silhouette_edge *kept, *next;
 	size_t kept_count, kept_capacity, next_capacity;
-	struct track_part parts[WORKERS_MAX];
+	struct track_part parts[TRACK_PARTS * WORKERS_MAX];
 };
 
 /** Makes the track that of a light, and a caster: any other than the last time, too. light: as

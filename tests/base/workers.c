@@ -8,9 +8,11 @@
 
 #include <cmocka.h>
 
+#define PARTS_MAX 20
+
 /* How often each part was done, by whichever thread. */
 struct tally {
-	unsigned done[WORKERS_MAX];
+	unsigned done[PARTS_MAX];
 };
 
 static void count_part(void *data, unsigned part)
@@ -23,8 +25,8 @@ static void check_rounds(struct workers *workers, unsigned parts, unsigned round
 {
 	struct tally tally = {{0}};
 	for (unsigned i = 0; i < rounds; i++)
-		workers_run(workers, count_part, &tally);
-	for (unsigned part = 0; part < WORKERS_MAX; part++)
+		workers_run(workers, parts, count_part, &tally);
+	for (unsigned part = 0; part < PARTS_MAX; part++)
 		assert_int_equal(tally.done[part], part < parts ? rounds : 0);
 }
 
@@ -34,7 +36,9 @@ static void do_each_part_once(void **state)
 	for (unsigned most = 1; most <= WORKERS_MAX; most++) {
 		struct workers workers = {.most = most};
 		assert_int_equal(workers_share(&workers), most);
-		check_rounds(&workers, most, 500);
+		check_rounds(&workers, most, 300);
+		check_rounds(&workers, PARTS_MAX, 300);
+		check_rounds(&workers, 1, 10);
 		workers_finish(&workers);
 	}
 }
@@ -57,7 +61,7 @@ static void start_again_when_finished(void **state)
 	workers_finish(&workers);
 	for (int i = 0; i < 20; i++) {
 		assert_int_equal(workers_share(&workers), WORKERS_MAX);
-		check_rounds(&workers, WORKERS_MAX, 3);
+		check_rounds(&workers, PARTS_MAX, 3);
 		workers_finish(&workers);
 	}
 }
