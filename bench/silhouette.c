@@ -418,6 +418,75 @@ static bool report_tracking(struct bench *bench)
 	return true;
 }
 
+/* Where the process may run. */
+static cpu_set_t all_cores;
+
+/* The scheduler must not move the measurement from one cache to another. */
+static void stay_on_this_core(void)
+{
+	cpu_set_t set;
+	CPU_ZERO(&set);
+	CPU_SET((size_t)sched_getcpu(), &set);
+	if (sched_setaffinity(0, sizeof(set), &set) != 0)
+		perror("bench-silhouette: sched_setaffinity");
+}
+
+static double time_track(struct silhouette_track *track, const struct caster *caster,
+	const float light[4], struct workers *workers, bool *ok)
+{
+	double start = now();
+	*ok = *ok && silhouette_track(track, caster, light, workers);
+	return now() - start;
+}
+
+/* Medians of tracking alone, and with others; false when these find something else. */
+static bool measure_sharing(
+	struct bench *bench, struct workers *workers, double degrees, double *alone, double *shared)
+{
+	static double ns[2][STEPS];
+	const struct caster *caster = &bench->mesh.caster;
+	struct silhouette_track tracks[2] = {{0}};
+	bool ok = true;
+	for (int i = 0; i < STEPS && ok; i++) {
+		float light[4];
+		light_on_circle(caster, i * degrees, light);
+		ns[0][i] = time_track(&tracks[0], caster, light, NULL, &ok);
+		ns[1][i] = time_track(&tracks[1], caster, light, workers, &ok);
+		ok = ok && tracks[0].edge_count == tracks[1].edge_count &&
+		     memcmp(tracks[0].edges, tracks[1].edges,
+			     tracks[0].edge_count * sizeof(*tracks[0].edges)) == 0;
+	}
+	silhouette_track_finish(&tracks[0]);
+	silhouette_track_finish(&tracks[1]);
+	*alone = statistics_median(ns[0], STEPS) / (double)bench->plain.count;
+	*shared = statistics_median(ns[1], STEPS) / (double)bench->plain.count;
+	return ok;
+}
+
+/* On all cores, but with its own work on any of them. */
+static bool report_sharing(struct bench *bench)
+{
+	const double steps[] = {1.0, 137.5};
+	const char *const titles[] = {"  1 degrees", "  jumps"};
+	struct workers workers = {0};
+	bool ok = true;
+	if (bench->mesh.caster.triangle_count < TRACK_SHARED_MIN ||
+		sched_setaffinity(0, sizeof(all_cores), &all_cores) != 0)
+		return true;
+	unsigned count = workers_share(&workers);
+	if (count > 1)
+		printf("  tracked by %u threads\n", count);
+	for (size_t i = 0; i < 2 && count > 1 && ok; i++) {
+		double alone = 0.0, shared = 0.0;
+		ok = measure_sharing(bench, &workers, steps[i], &alone, &shared);
+		printf("  %-34s %9.3f %9.2f times as fast as by one\n", titles[i], shared,
+			alone / shared);
+	}
+	workers_finish(&workers);
+	stay_on_this_core();
+	return ok;
+}
+
 static int run(const char *name, struct model *model)
 {
 	struct bench bench;
@@ -431,7 +500,7 @@ static int run(const char *name, struct model *model)
 	bool ok = measure(&bench, ns, &findings);
 	if (ok)
 		report(&bench, name, ns, &findings);
-	ok = ok && report_tracking(&bench);
+	ok = ok && report_tracking(&bench) && report_sharing(&bench);
 	if (!ok)
 		fprintf(stderr, "bench-silhouette: %s: the searches disagree\n", name);
 	bench_finish(&bench);
@@ -473,23 +542,14 @@ static int run_default(unsigned parts)
 	return status;
 }
 
-/* The scheduler must not move the measurement from one cache to another. */
-static void stay_on_this_core(void)
-{
-	cpu_set_t set;
-	CPU_ZERO(&set);
-	CPU_SET((size_t)sched_getcpu(), &set);
-	if (sched_setaffinity(0, sizeof(set), &set) != 0)
-		perror("bench-silhouette: sched_setaffinity");
-}
-
 static void print_usage(FILE *out)
 {
 	fprintf(out,
 		"Usage: bench-silhouette [-s PARTS] [MODEL]...\n"
 		"Times the search for silhouettes on one core, for %d lights on a circle, %d\n"
 		"times each, but the tree once; and how long one takes that is tracked as it goes\n"
-		"around, for %d steps of several angles. Prints medians. Without MODEL:\n"
+		"around, for %d steps of several angles; for large meshes also by threads, on\n"
+		"all cores. Prints medians. Without MODEL:\n"
 		"toy-car.glb when it is there, or a sphere.\n"
 		"  -s PARTS  split each edge into PARTS, 1 to 9, and so each triangle\n"
 		"Exit status: 1 when the searches disagree, 2 when a MODEL cannot be used.\n",
@@ -509,6 +569,8 @@ int main(int argc, char **argv)
 		print_usage(option == 'h' ? stdout : stderr);
 		return option == 'h' ? SM_OK : SM_ERROR_INPUT;
 	}
+	if (sched_getaffinity(0, sizeof(all_cores), &all_cores) != 0)
+		perror("bench-silhouette: sched_getaffinity");
 	stay_on_this_core();
 	int status = SM_OK;
 	if (optind == argc)
