@@ -570,6 +570,58 @@ static void vertices_that_move_are_uploaded_once(void **state)
 	}
 }
 
+#define SHEET 321 /* vertices a side: 204,800 triangles, which threads share */
+
+/* A sheet in waves over [-1, 1]^2. */
+static uint32_t add_sheet(struct sm_scene *scene)
+{
+	size_t count = 6 * (SHEET - 1) * (SHEET - 1), used = 0;
+	float(*positions)[3] = malloc(SHEET * SHEET * sizeof(*positions));
+	uint32_t *indices = malloc(count * sizeof(*indices));
+	assert_true(positions != NULL && indices != NULL);
+	for (uint32_t v = 0; v < SHEET * SHEET; v++) {
+		float x = 2.0f * (float)(v % SHEET) / (SHEET - 1) - 1.0f;
+		float z = 2.0f * (float)(v / SHEET) / (SHEET - 1) - 1.0f;
+		positions[v][0] = x;
+		positions[v][1] = 1.0f + 0.2f * sinf(9.0f * x) * cosf(7.0f * z);
+		positions[v][2] = z;
+	}
+	for (uint32_t q = 0; q < SHEET * (SHEET - 1); q++)
+		for (int i = 0; q % SHEET != SHEET - 1 && i < 6; i++)
+			indices[used++] =
+				q + (const uint32_t[]){0, SHEET, 1, 1, SHEET, SHEET + 1}[i];
+	uint32_t mesh =
+		parts_add_mesh(scene, (const float(*)[3])positions, SHEET * SHEET, indices, count);
+	free(positions);
+	free(indices);
+	return mesh;
+}
+
+static void any_number_of_threads_draws_the_same(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_frame_stats stats[3];
+	struct visibility seen[3];
+	struct sm_camera camera = {.eye = {4, 3, 0}, .up = {0, 1, 0}, .fov = 40};
+	struct sm_light_desc light = {.position = {1, 4, 2}, .radius = 0.2f, .angle = 60};
+	uint32_t mesh = add_sheet(rig->scene), square = parts_add_square(rig->scene);
+	parts_add_object(rig->scene, mesh, PART_BOTH, &(struct pose){.scale = {1, 1, 1}});
+	parts_add_object(rig->scene, square, PART_RECEIVES, &(struct pose){.scale = {4, 1, 4}});
+	parts_add_light(rig->scene, &light);
+	rig_skip_nothing(rig);
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "smoothie"});
+	for (uint32_t i = 0; i < 3; i++) {
+		sm_renderer_set_threads(rig->renderer, (const uint32_t[]){1, 3, 0}[i]);
+		visibility_draw(&seen[i], rig, rig->scene, &camera, 65, 65);
+		sm_renderer_get_stats(rig->renderer, &stats[i]);
+		assert_true(stats[i].silhouette_edges > 500);
+		assert_int_equal(stats[i].silhouette_edges, stats[0].silhouette_edges);
+		assert_int_equal(visibility_compare(&seen[i], &seen[0]).differing, 0);
+	}
+	for (int i = 0; i < 3; i++)
+		visibility_finish(&seen[i]);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -591,6 +643,7 @@ int main(void)
 		rig_test(a_lamp_in_a_room_sees_what_is_near),
 		rig_test(the_counters_are_those_of_the_last_frame),
 		rig_test(vertices_that_move_are_uploaded_once),
+		rig_test(any_number_of_threads_draws_the_same),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
