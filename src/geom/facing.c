@@ -222,9 +222,9 @@ void facing_find_all(const struct caster *caster, const float light[4], uint64_t
 }
 
 /*
- * Tests a block; returns how far the light may go from here, its w as it is, without any triangle
- * turning, as a share of its scale. What a triangle is tested by, n . (light.xyz - w p0) with the
- * unit normal n, changes by no more than the light goes.
+ * Tests a block, whose word is that of before; returns how far the light may go from here, its w as
+ * it is, without any triangle turning, as a share of its scale. What a triangle is tested by, n .
+ * (light.xyz - w p0) with the unit normal n, changes by no more than the light goes.
  *
  * By sums: where the distance to the middle is s, the value is at least (s - 3.12) / 2^14 of the
  * scale. It stays above .88 / 2^14 of it within what is returned, and the scale grows to twice
@@ -234,7 +234,8 @@ static float test_block(const struct facing_test *test, size_t b, uint64_t *word
 {
 	int least;
 	float slack;
-	if (test->cones) {
+	/* What was on both sides mostly still is. */
+	if (test->cones && *word + 1 <= 1) {
 		enum cone_side side = face_cones_side(&test->caster->cones, b, &test->seen, &slack);
 		*word = word_of_side(test->caster, b, side);
 		if (side != CONE_MIXED)
@@ -292,7 +293,7 @@ static size_t renew_set(
 	track->changed[set] = 0;
 	for (uint64_t left = expired; left != 0; left &= left - 1) {
 		size_t b = first + (size_t)__builtin_ctzll(left);
-		uint64_t word;
+		uint64_t word = track->facing[b];
 		float share = test_block(test, b, &word);
 		share = share < 1.0f ? share : 1.0f;
 		track->safe[b] = share > 0.0f ? share * test->scale * BELOW : 0.0f;

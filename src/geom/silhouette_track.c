@@ -16,8 +16,9 @@ void silhouette_track_finish(struct silhouette_track *track)
 	free(track->starts);
 	free(track->kept);
 	free(track->next);
-	for (int i = 0; i < TRACK_PARTS * WORKERS_MAX; i++)
+	for (size_t i = 0; i < track->part_count; i++)
 		free(track->parts[i].listed);
+	free(track->parts);
 	*track = (struct silhouette_track){0};
 }
 
@@ -26,14 +27,14 @@ size_t silhouette_track_bytes(const struct silhouette_track *track)
 	size_t sets = (track->block_count + EDGE_BLOCK_SET - 1) / EDGE_BLOCK_SET;
 	size_t padded = sets * EDGE_BLOCK_SET;
 	size_t listed = 0;
-	for (int i = 0; i < TRACK_PARTS * WORKERS_MAX; i++)
+	for (size_t i = 0; i < track->part_count; i++)
 		listed += track->parts[i].listed_capacity;
 	return track->block_count * (sizeof(*track->facing.facing) + sizeof(*track->facing.turned) +
 					    sizeof(*track->starts)) +
 	       padded * sizeof(*track->facing.safe) +
 	       sets * (sizeof(*track->facing.changed) + sizeof(*track->renew) +
 			      sizeof(*track->set_starts)) +
-	       listed * sizeof(*track->parts->listed) +
+	       track->part_count * sizeof(*track->parts) + listed * sizeof(*track->parts->listed) +
 	       (track->kept_capacity + track->next_capacity) * sizeof(*track->kept);
 }
 
@@ -55,6 +56,17 @@ static bool reserve(struct silhouette_track *track, const struct caster *caster)
 	return facing->facing != NULL && facing->turned != NULL && facing->safe != NULL &&
 	       facing->changed != NULL && track->renew != NULL && track->starts != NULL &&
 	       track->set_starts != NULL;
+}
+
+static bool reserve_parts(struct silhouette_track *track, size_t count)
+{
+	size_t had = track->part_count;
+	if (!array_reserve(
+		    (void **)&track->parts, &track->part_count, count, sizeof(*track->parts)))
+		return false;
+	if (track->part_count > had)
+		memset(&track->parts[had], 0, (track->part_count - had) * sizeof(*track->parts));
+	return true;
 }
 
 /* One search. */
@@ -425,6 +437,8 @@ static bool track_light(struct silhouette_track *track, const struct caster *cas
 		search.parts = workers_share(workers);
 	if (search.parts > 1)
 		search.parts *= TRACK_PARTS;
+	if (!reserve_parts(track, search.parts))
+		return false;
 	facing_test_init(&test, caster, light);
 	double way = facing_way(&track->facing, light);
 	search.way = facing_track_move(&track->facing, caster, light);

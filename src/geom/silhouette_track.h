@@ -47,7 +47,8 @@ struct silhouette_track {
 	uint16_t *starts;        /* [block_count]: the same of blocks, from there */
 	struct silhouette_edge *kept, *next;
 	size_t kept_count, kept_capacity, next_capacity;
-	struct track_part parts[TRACK_PARTS * WORKERS_MAX];
+	struct track_part *parts; /* of as many as ever were */
+	size_t part_count;
 };
 
 /** Makes the track that of a light, and a caster: any other than the last time, too. light: as
