@@ -76,6 +76,7 @@ struct search {
 	struct workers *workers; /* or NULL */
 	unsigned parts;
 	float way; /* that the light has gone */
+	bool all;  /* nothing is kept */
 };
 
 /* Marks a block that is to be searched. */
@@ -190,7 +191,7 @@ static uint64_t blocks_to_list(const struct search *search, size_t set)
 	const struct silhouette_track *track = search->track;
 	const struct edge_table *table = &search->test->caster->edges;
 	size_t last = set * EDGE_BLOCK_SET + set_size(track, set) - 1;
-	if (track->plain)
+	if (search->all)
 		return set_search_blocks(table, track->facing.facing, set);
 	if (table->leading != NULL)
 		return track->renew[set];
@@ -380,17 +381,29 @@ static bool find_edges(const struct search *search)
 /* So many steps in a row tell: of few blocks, most are tested now and then. */
 #define MANY_STEPS 4
 
-static bool track_step(const struct search *search, double way)
+/* Has all searched. */
+static void keep_nothing(struct search *search)
 {
 	struct silhouette_track *track = search->track;
+	size_t sets = edge_table_sets(&search->test->caster->edges);
+	search->all = true;
+	track->kept_count = 0;
+	memset(track->set_starts, 0, sets * sizeof(*track->set_starts));
+	memset(track->starts, 0, track->block_count * sizeof(*track->starts));
+}
+
+static bool track_step(struct search *search, double way)
+{
+	struct silhouette_track *track = search->track;
+	const struct caster *caster = search->test->caster;
 	bool knew = !track->plain;
-	if (!knew)
-		memset(track->facing.safe, 0,
-			facing_padded(search->test->caster) * sizeof(*track->facing.safe));
+	if (!knew) {
+		memset(track->facing.safe, 0, facing_padded(caster) * sizeof(*track->facing.safe));
+		keep_nothing(search);
+	}
 	track->plain = false;
 	split(search);
-	memset((void *)track->renew, 0,
-		edge_table_sets(&search->test->caster->edges) * sizeof(*track->renew));
+	memset((void *)track->renew, 0, edge_table_sets(&caster->edges) * sizeof(*track->renew));
 	run(search, renew_facing);
 	if (!find_edges(search))
 		return false;
@@ -402,17 +415,38 @@ static bool track_step(const struct search *search, double way)
 	return true;
 }
 
-static bool find_plainly(const struct search *search)
+/* Alone, where nothing is kept, edges need not be listed first. */
+static bool find_alone(const struct search *search)
 {
 	struct silhouette_track *track = search->track;
-	size_t sets = edge_table_sets(&search->test->caster->edges);
-	track->plain = true;
-	track->kept_count = 0;
-	memset(track->set_starts, 0, sets * sizeof(*track->set_starts));
-	memset(track->starts, 0, track->block_count * sizeof(*track->starts));
+	const struct caster *caster = search->test->caster;
+	const uint64_t *facing = track->facing.facing;
+	facing_find_sets(search->test, 0, edge_table_sets(&caster->edges), track->facing.facing);
+	size_t count = silhouette_find(caster, facing, track->next, track->next_capacity);
+	if (count > track->next_capacity) {
+		if (!array_reserve((void **)&track->next, &track->next_capacity, count,
+			    sizeof(*track->next)))
+			return false;
+		silhouette_find(caster, facing, track->next, count);
+	}
+	track->edge_count = count;
+	swap_edges(track);
+	return true;
+}
+
+static bool find_shared(struct search *search)
+{
+	keep_nothing(search);
 	split(search);
 	run(search, find_facing);
-	if (!find_edges(search))
+	return find_edges(search);
+}
+
+static bool find_plainly(struct search *search)
+{
+	struct silhouette_track *track = search->track;
+	track->plain = true;
+	if (!(search->parts > 1 ? find_shared(search) : find_alone(search)))
 		return false;
 	track->tested = track->searched = track->block_count;
 	return true;

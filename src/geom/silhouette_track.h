@@ -38,7 +38,7 @@ struct silhouette_track {
 	struct facing_track facing;
 	/* Owned, but for edges */
 	uint64_t version; /* the caster's; 0: none */
-	bool plain;       /* it isn't known how far the light may go */
+	bool plain;       /* nothing but edges and facing is known of the last time */
 	double far;       /* steps of at least this are as well searched plainly; 0: none known */
 	unsigned many;    /* steps in a row that had most blocks tested */
 	size_t block_count;
