@@ -29,7 +29,8 @@ struct track_part {
  * A caster's silhouette as a light moves: what is found for one place of the light is kept, and for
  * the next only those blocks are searched of which a triangle has turned, or one they lead to.
  * 22 bytes a block and 16 an edge of the silhouette. Zero is empty, and of no caster.
- * Where the light goes so far that most blocks have to be tested, as it jumps, nothing is kept.
+ * Where the light goes so far that half the blocks have to be searched, as it jumps, nothing is
+ * kept.
  */
 struct silhouette_track {
 	const struct silhouette_edge *edges; /* as silhouette_find() finds them */
@@ -40,7 +41,7 @@ struct silhouette_track {
 	uint64_t version; /* the caster's; 0: none */
 	bool plain;       /* nothing but edges and facing is known of the last time */
 	double far;       /* steps of at least this are as well searched plainly; 0: none known */
-	unsigned many;    /* steps in a row that had most blocks tested */
+	double busy;      /* share of blocks that is searched each step, on average */
 	size_t block_count;
 	_Atomic uint64_t *renew; /* a bit for each block, a word for each set: to be searched */
 	size_t *set_starts;      /* where the edges of each set begin */
