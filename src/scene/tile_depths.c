@@ -5,8 +5,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Meshes of up to so many triangles are gone through one by one. */
+/* Meshes of up to so many triangles are gone through one by one, casters that are larger as well:
+ * what lies behind all of a tile's costs least. */
 #define SINGLE_TRIANGLES_MAX 256
+#define SINGLE_CASTING_MAX 32768
 
 /* What a receiver's place is rounded by, tiles. */
 #define RECEIVER_MARGIN 1e-3f
@@ -132,17 +134,19 @@ static bool is_sheet(const struct caster_view *view, size_t t)
 }
 
 /* Few enough to be gone through one by one. */
-static bool are_few(const struct triangles *triangles)
+static bool are_few(const struct triangles *triangles, size_t most)
 {
-	return triangles->count <= SINGLE_TRIANGLES_MAX &&
-	       triangles->vertex_count <= 3 * SINGLE_TRIANGLES_MAX;
+	return triangles->count <= most && triangles->vertex_count <= 3 * most;
 }
 
-/* view: of a caster, only of whose sheets the triangles are; NULL: of all. */
-static void fill_few(const struct tile_fill *fill, const struct triangles *triangles, mat4 to_clip,
-	const struct caster_view *view)
+/* view: of a caster, only of whose sheets the triangles are; NULL: of all. False: out of memory. */
+static bool fill_few(struct tile_depths *depths, const struct tile_fill *fill,
+	const struct triangles *triangles, mat4 to_clip, const struct caster_view *view)
 {
-	struct tile_vertex vertices[3 * SINGLE_TRIANGLES_MAX];
+	if (!array_reserve((void **)&depths->vertices, &depths->vertex_capacity,
+		    triangles->vertex_count, sizeof(*depths->vertices)))
+		return false;
+	struct tile_vertex *vertices = depths->vertices;
 	for (size_t i = 0; i < triangles->vertex_count; i++)
 		vertices[i] = tile_vertex_of(fill, to_clip, triangles->positions[i]);
 	for (size_t t = 0; t < triangles->count; t++) {
@@ -152,6 +156,7 @@ static void fill_few(const struct tile_fill *fill, const struct triangles *trian
 				fill, (const struct tile_vertex *const[]){&vertices[corners[0]],
 					      &vertices[corners[1]], &vertices[corners[2]]});
 	}
+	return true;
 }
 
 static bool has_sheets(const struct caster_view *view, size_t first)
@@ -174,10 +179,8 @@ bool tile_depths_add_receiver(struct tile_depths *depths, const struct sm_scene 
 	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
 	if (tile_fill_has_box(&fill, to_clip, mesh->min, mesh->max))
 		return true;
-	if (are_few(&triangles)) {
-		fill_few(&fill, &triangles, to_clip, NULL);
-		return true;
-	}
+	if (are_few(&triangles, SINGLE_TRIANGLES_MAX))
+		return fill_few(depths, &fill, &triangles, to_clip, NULL);
 	if (!have_clusters(depths, &known->drawn, &known->drawn_version, &triangles))
 		return false;
 	for (size_t i = 0; i < clusters_count(triangles.count); i++)
@@ -195,10 +198,8 @@ bool tile_depths_add_caster(struct tile_depths *depths, const struct sm_scene *s
 	struct tile_fill fill = {depths->cast.of, depths->tiles, margin};
 	struct mesh_clusters *known = &depths->meshes[object->mesh];
 	vec4 *to_clip = (vec4 *)view->to_clip;
-	if (are_few(&triangles)) {
-		fill_few(&fill, &triangles, to_clip, view);
-		return true;
-	}
+	if (are_few(&triangles, SINGLE_CASTING_MAX))
+		return fill_few(depths, &fill, &triangles, to_clip, view);
 	if (!have_clusters(depths, &known->casting, &known->casting_version, &triangles))
 		return false;
 	for (size_t i = 0; i < clusters_count(triangles.count); i++)
@@ -241,6 +242,7 @@ void tile_depths_finish(struct tile_depths *depths)
 	free(depths->cast.of);
 	free(depths->received_halved.of);
 	free(depths->cast_halved.of);
+	free(depths->vertices);
 	free(depths->meshes);
 	*depths = (struct tile_depths){0};
 }
@@ -250,6 +252,7 @@ size_t tile_depths_bytes(const struct tile_depths *depths)
 	return (depths->received.capacity + depths->cast.capacity +
 		       depths->received_halved.capacity + depths->cast_halved.capacity) *
 		       sizeof(float) +
+	       depths->vertex_capacity * sizeof(*depths->vertices) +
 	       depths->mesh_capacity * sizeof(*depths->meshes) +
 	       depths->cluster_count * sizeof(struct cluster);
 }

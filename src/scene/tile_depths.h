@@ -31,11 +31,12 @@ struct tile_depths {
 	/* Working memory; owned */
 	struct tile_values received, cast;               /* on most tiles */
 	struct tile_values received_halved, cast_halved; /* on fewer */
+	struct tile_vertex *vertices; /* of a mesh */
 	struct mesh_clusters *meshes;
 	size_t mesh_count; /* with an entry there, of the scene of this id */
 	uint64_t scene_id;
 	size_t cluster_count; /* of all meshes */
-	size_t mesh_capacity;
+	size_t vertex_capacity, mesh_capacity;
 };
 
 /** Makes room for so many tiles a side, and any scene. Where their number is as before the values

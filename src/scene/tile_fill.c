@@ -6,7 +6,7 @@
 #define CORNERS_MAX 4
 
 /* A triangle over no more tiles than these fills the box around it, which is quicker. */
-#define SMALL_TILES 9
+#define SMALL_TILES 16
 
 /* Depths of a polygon's plane: at the origin, and what a tile to the right and one up add. */
 struct plane {
@@ -30,10 +30,11 @@ struct tile_vertex tile_vertex_of(
 	return vertex;
 }
 
-/* The tile that a coordinate is in, or the nearest: from -1 to tiles, that of no number -1. */
+/* The tile that a coordinate is in, or the nearest: from -1 to tiles, that of no number -1. What is
+ * rounded is far less than any margin. */
 static int tile_at(const struct tile_fill *fill, float coordinate)
 {
-	return (int)floorf(larger(-1.0f, smaller(coordinate, (float)fill->tiles)));
+	return (int)(larger(-1.0f, smaller(coordinate, (float)fill->tiles)) + 1.0f) - 1;
 }
 
 static void raise_to(float *value, float depth)
@@ -153,6 +154,18 @@ static int clip_near(const struct tile_fill *fill, const struct tile_vertex *con
 	return count;
 }
 
+/* Of what is beyond the near plane, as most triangles are. */
+static inline int find_corners(const struct tile_fill *fill,
+	const struct tile_vertex *const corners[3], struct tile_point found[CORNERS_MAX])
+{
+	bool beyond = true;
+	for (int k = 0; k < 3; k++) {
+		beyond = beyond && corners[k]->clip[2] + corners[k]->clip[3] >= 0.0f;
+		found[k] = corners[k]->point;
+	}
+	return beyond ? 3 : clip_near(fill, corners, found);
+}
+
 /* Without a plane where the first three corners hardly span one. */
 static bool find_plane(const struct tile_point *corners, struct plane *plane)
 {
@@ -212,7 +225,7 @@ static void fill_polygon_row(const struct tile_fill *fill, const struct tile_poi
 void tile_fill_triangle(const struct tile_fill *fill, const struct tile_vertex *const corners[3])
 {
 	struct tile_point clipped[CORNERS_MAX];
-	int count = clip_near(fill, corners, clipped);
+	int count = find_corners(fill, corners, clipped);
 	if (count == 0)
 		return;
 	struct tile_point low = no_corner[0], high = no_corner[1];
