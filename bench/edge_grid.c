@@ -42,6 +42,7 @@ static bool measure(struct edge_grid *grid, const struct sm_scene *scene,
 		if (!find_chains(&grid->chains, scene, frame, MAP_SIZE << 8))
 			return false;
 		chains[round] = processor_ms() - start;
+		edge_keep_forget(&grid->keep);
 		start = processor_ms();
 		if (!edge_grid_find(grid, scene, frame, &options))
 			return false;

@@ -37,9 +37,6 @@ float cross_of(vec2 a, vec2 b)
 #ifdef POINTS
 // A penumbra at least this many times as wide, from its middle, as points are apart shows in them.
 const float WIDTH_SHOWN = 1.25;
-// Where this many edges meet before a disc that is not all covered, what samples of it miss would
-// show as blotches.
-const int MOST_HITS = 64;
 // Whether visibility between the point and the next ones does not show in them.
 bool narrow_penumbra = false;
 #endif
@@ -234,13 +231,13 @@ struct sums {
 	int own;      // of that by the receiver's own sheet
 	float behind; // shares of the disc behind edges
 	counters seen;
-	int hits;
+	bool any; // whether there is an edge before the disc
 };
 
 sums no_sums()
 {
 	uvec2 none = uvec2(0u);
-	return sums(0, 0, 0.0, counters(none, none, none, none, none), 0);
+	return sums(0, 0, 0.0, counters(none, none, none, none, none), false);
 }
 
 // An edge as seen from the receiver: ends beside it, how far before it they are, and the doubled area
@@ -278,7 +275,7 @@ void add_edge(inout sums sum, edge edge, receiver r)
 	mask = before ? mask : uvec2(0u);
 	uvec2 two = edge.sheets > 1.0 ? mask : uvec2(0u);
 	count(sum.seen, mask ^ two, two, sign > 0.0 ? ~0u : 0u);
-	sum.hits += int(before);
+	sum.any = sum.any || before;
 }
 
 // Whether an edge leads from its end v outside the disc farther away, so that none of it is before
@@ -456,14 +453,11 @@ float gathered_visibility(receiver r)
 	sum.winding = max(sum.winding + (sum.own > 0 ? from.seen : from.winding), 0);
 	float covered = float(sum.winding) - sum.behind / TURN;
 	// Only edges leave a part of the disc.
-	if (sum.hits > 0 && sum.winding <= WINDING_MAX) {
+	if (sum.any && sum.winding <= WINDING_MAX) {
 		for (int i = 0; i < sum.winding; i++)
 			count(sum.seen, uvec2(~0u), uvec2(0u), 0u);
 		covered = covered_share(sum.seen, covered);
 	}
-#ifdef POINTS
-	narrow_penumbra = narrow_penumbra || sum.hits > MOST_HITS && covered < 1.0;
-#endif
 	return 1.0 - clamp(covered, 0.0, 1.0);
 }
 

@@ -45,7 +45,7 @@ static bool init(void *state, const struct model_light *light, struct sm_error *
 		return init_point(gather, light, error);
 	gather->light.size = (int)gather_layer_size((uint32_t)gather->light.size);
 	const struct edge_grid_options options = {
-		.tiles = GATHER_TILES,
+		.tiles = gather_tiles(light->scene, &light->frame),
 		.map_size = (uint32_t)gather->light.size,
 		.subpixel_bits = light->snap_bits > 0 ? (uint32_t)light->snap_bits : 8,
 		.room = GATHER_ROOM,

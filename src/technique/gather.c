@@ -185,7 +185,7 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 	const struct light_frame *frame, struct sm_error *error)
 {
 	const struct edge_grid_options options = {
-		.tiles = GATHER_TILES,
+		.tiles = gather_tiles(scene, frame),
 		.map_size = (uint32_t)gather->layers.depth.size,
 		.subpixel_bits = gather->subpixel_bits,
 		.room = GATHER_ROOM,
@@ -290,6 +290,10 @@ static const struct screen_grid *gather_soft_grid(const void *state)
 #define WIDTH_SPARSE_DEEP 100.0f
 #define WIDTH_KEPT 0.8f
 
+/* Edges of a list, in the mean, from which on a pixel costs so much that points pay in deep scenes
+ * as well as in others. */
+#define LONG_LIST 48.0f
+
 /* Bits of the raster grid below which no light chooses that: points lie four pixels apart, so that
  * its steps, to which surfaces are moved, are of four times as many pixels there. */
 #define SPARSE_BITS 6
@@ -305,7 +309,8 @@ static enum sm_sampling gather_sampling(void *state, const struct sm_scene *scen
 	float pixels = penumbra_texels(scene, frame, view->height);
 	/* What another scene had does not count in this one. */
 	bool was_sparse = gather->sparse && gather->scene == scene->id;
-	float enough = gather->layers.count < GATHER_LAYERS ? WIDTH_SPARSE : WIDTH_SPARSE_DEEP;
+	bool deep = gather->layers.count == GATHER_LAYERS && gather->grid.mean_list < LONG_LIST;
+	float enough = deep ? WIDTH_SPARSE_DEEP : WIDTH_SPARSE;
 	bool small = (uint64_t)view->width * view->height / PIXELS_DEFERRED < view->triangles;
 	gather->scene = scene->id;
 	gather->sparse = gather->subpixel_bits >= SPARSE_BITS &&

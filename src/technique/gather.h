@@ -2,7 +2,7 @@
 #ifndef TECHNIQUE_GATHER_H
 #define TECHNIQUE_GATHER_H
 
-#include <stdint.h>
+#include "scene/penumbra.h"
 
 /** What the technique and its model share (docs/gather.md). */
 
@@ -12,7 +12,11 @@
 /** At most. */
 #define GATHER_LAYERS 3
 /** A side, where lists do not grow too long. */
-#define GATHER_TILES 128
+#define GATHER_TILES_MAX 128
+#define GATHER_TILES_MIN 64
+/** Tiles in the widest penumbra, beyond which half as many a side do as well: each list is mostly
+ * of what reaches the tile from outside. */
+#define GATHER_PENUMBRA_TILES 16
 /** Of all lists, 1.5 MB: runs of edges and their vertices, or vertices alone where lists are whole.
  */
 #define GATHER_RUNS_MAX (64 * 1024)
@@ -32,6 +36,16 @@ static inline uint32_t gather_layer_size(uint32_t map_size)
 	while (size > map_size)
 		size /= 2;
 	return size;
+}
+
+/** Tiles a side to list edges by. */
+static inline uint32_t gather_tiles(const struct sm_scene *scene, const struct light_frame *frame)
+{
+	uint32_t tiles = GATHER_TILES_MAX;
+	while (tiles > GATHER_TILES_MIN &&
+		penumbra_texels(scene, frame, tiles) > GATHER_PENUMBRA_TILES)
+		tiles /= 2;
+	return tiles;
 }
 
 #endif
