@@ -86,7 +86,8 @@ SM_API bool sm_scene_add_mesh(struct sm_scene *scene, const struct sm_mesh_desc 
  * NULL, or one without direction: the mean of the triangles around. Indices and uvs stay, and so
  * does what was welded: vertices that coincided in position cast their shadow as one, at the place
  * of one of them, and those that were the same in normal and uv, too, are drawn as one. Linear
- * time. Fails (INPUT) on an unknown mesh or a position that is not finite; nothing changes then.
+ * time. Fails (INPUT) on an unknown mesh, a position that is not finite or an object that would
+ * reach farther than floats do; nothing changes then.
  */
 SM_API bool sm_scene_set_vertices(struct sm_scene *scene, uint32_t mesh, const float *positions,
 	const float *normals, struct sm_error *error);
@@ -121,9 +122,9 @@ SM_API bool sm_scene_add_image(struct sm_scene *scene, uint32_t width, uint32_t 
 struct sm_object_desc {
 	const char *name; /**< may be NULL */
 	uint32_t mesh;
-	float transform[16];  /**< object to world, column-major, affine, finite */
-	float base_color[4];  /**< linear; alpha is not used */
-	uint32_t image;       /**< multiplies base_color; SM_NONE for none */
+	float transform[16]; /**< object to world, column-major, affine, finite, as is the result */
+	float base_color[4]; /**< linear; alpha is not used */
+	uint32_t image;      /**< multiplies base_color; SM_NONE for none */
 	bool casts, receives; /**< shadows */
 	bool single_sided;    /**< its back is not seen; its shadow is the same */
 };
@@ -396,9 +397,10 @@ SM_API const char *sm_skip_summary(size_t index);
 SM_API bool sm_renderer_set_skips(
 	struct sm_renderer *renderer, const char *skips, struct sm_error *error);
 
-/** How many threads, the calling one among them, search meshes of 200,000 triangles and more for the
- *  silhouettes of fins: up to 8; 0, as it is to begin with, for one a processor. The others start
- *  when first there is work for them, and sleep between. The picture is the same with any number. */
+/** How many threads, the calling one among them, search meshes of 200,000 triangles and more for
+ * the silhouettes of fins: up to 8; 0, as it is to begin with, for one a processor. The others
+ * start when first there is work for them, and sleep between. The picture is the same with any
+ * number. */
 SM_API void sm_renderer_set_threads(struct sm_renderer *renderer, uint32_t count);
 
 /** Since the renderer was created. While a skip is off nothing is counted. */

@@ -238,16 +238,28 @@ static bool optimise(struct mesh *mesh)
 	return true;
 }
 
+static void grow_box(const float point[3], float min[3], float max[3])
+{
+	for (int i = 0; i < 3; i++) {
+		min[i] = fminf(min[i], point[i]);
+		max[i] = fmaxf(max[i], point[i]);
+	}
+}
+
 static void find_box(struct mesh *mesh)
 {
 	memcpy(mesh->min, mesh->positions[0], sizeof(mesh->min));
 	memcpy(mesh->max, mesh->positions[0], sizeof(mesh->max));
-	for (size_t v = 1; v < mesh->vertex_count; v++) {
-		for (int i = 0; i < 3; i++) {
-			mesh->min[i] = fminf(mesh->min[i], mesh->positions[v][i]);
-			mesh->max[i] = fmaxf(mesh->max[i], mesh->positions[v][i]);
-		}
-	}
+	for (size_t v = 1; v < mesh->vertex_count; v++)
+		grow_box(mesh->positions[v], mesh->min, mesh->max);
+}
+
+void mesh_box_of(const struct mesh *mesh, const float *positions, float min[3], float max[3])
+{
+	memcpy(min, &positions[3 * (size_t)mesh->sources[0]], 3 * sizeof(*min));
+	memcpy(max, min, 3 * sizeof(*max));
+	for (size_t v = 1; v < mesh->vertex_count; v++)
+		grow_box(&positions[3 * (size_t)mesh->sources[v]], min, max);
 }
 
 static void count_up(struct mesh *mesh)

@@ -35,6 +35,9 @@ struct mesh {
 bool mesh_init(struct mesh *mesh, const struct sm_mesh_desc *desc, struct sm_error *error);
 void mesh_finish(struct mesh *mesh);
 
+/** The box that mesh_set_vertices() would give the mesh, finite where all positions are. */
+void mesh_box_of(const struct mesh *mesh, const float *positions, float min[3], float max[3]);
+
 /**
  * Moves the vertices, positions and normals as sm_scene_set_vertices() says; what mesh_init() found
  * of vertices that coincide, of windings and of parts stays. The mesh is not solid from then on:

@@ -172,7 +172,7 @@ static bool check_place(
 	for (int i = 0; i < 3; i++)
 		if (!(fabsf(point[i]) <= 1e15f))
 			return error_set(error, SM_ERROR_INPUT,
-				"%s: it has %s farther than 1e15 from the origin", source, what);
+				"%s: %s is farther than 1e15 from the origin", source, what);
 	return true;
 }
 
@@ -196,7 +196,7 @@ static bool adopt_light(struct builder *builder, uint32_t object, const struct m
 	glm_mat4_mulv3(world, light->desc.position, 1, light->desc.position);
 	glm_mat4_mulv3(world, light->desc.target, 1, light->desc.target);
 	light->desc.radius *= fmaxf(scale[0], fmaxf(scale[1], scale[2]));
-	return check_place(builder->source, "a light", light->desc.position, error);
+	return check_place(builder->source, "the place of a light", light->desc.position, error);
 }
 
 static bool adopt_camera(struct builder *builder, uint32_t object, struct sm_error *error)
@@ -219,7 +219,7 @@ static bool adopt_camera(struct builder *builder, uint32_t object, struct sm_err
 		glm_mat4_mulv3(world, (float *)source->up, 0, camera->up);
 	if (isnan(camera->fov))
 		camera->fov = source->fov;
-	return check_place(builder->source, "a camera", camera->eye, error);
+	return check_place(builder->source, "the eye of its camera", camera->eye, error);
 }
 
 /** The box around the casters, or around everything if nothing casts. */
@@ -266,8 +266,8 @@ static bool fill_scene(struct builder *builder, struct sm_error *error)
 			return false;
 	float box[2][3];
 	find_box(builder, box);
-	if (!check_place(builder->source, "corners", box[0], error) ||
-		!check_place(builder->source, "corners", box[1], error))
+	if (!check_place(builder->source, "a corner", box[0], error) ||
+		!check_place(builder->source, "a corner", box[1], error))
 		return false;
 	frame_init(&builder->frame, box, plan->ground.height);
 	return place_ground(builder, error);
@@ -433,6 +433,12 @@ bool stage_set_time(struct stage *stage, double seconds, struct sm_error *error)
 {
 	if (!stage_motion_set_time(&stage->motion, seconds, stage->scene, error))
 		return false;
-	stage_motion_camera(&stage->motion, seconds, &stage->camera);
+	struct sm_camera camera;
+	stage_motion_camera(&stage->motion, seconds, &camera);
+	if (!check_place("camera", "its eye", camera.eye, error) ||
+		!check_place("camera", "its target", camera.target, error) ||
+		!check_place("camera", "the tip of up", camera.up, error))
+		return false;
+	stage->camera = camera;
 	return true;
 }

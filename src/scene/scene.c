@@ -114,15 +114,56 @@ bool sm_scene_add_image(struct sm_scene *scene, uint32_t width, uint32_t height,
 	return true;
 }
 
+static void find_bounds(
+	const float min[3], const float max[3], const float transform[16], vec3 box[2])
+{
+	mat4 world;
+	memcpy(world, transform, sizeof(world));
+	glm_vec3_copy((float *)min, box[0]);
+	glm_vec3_copy((float *)max, box[1]);
+	glm_aabb_transform(box, world, box);
+}
+
 void object_update_bounds(const struct sm_scene *scene, struct object *object)
 {
 	const struct mesh *mesh = &scene->meshes[object->mesh];
 	vec3 box[2];
-	glm_vec3_copy((float *)mesh->min, box[0]);
-	glm_vec3_copy((float *)mesh->max, box[1]);
-	glm_aabb_transform(box, object->transform, box);
+	find_bounds(mesh->min, mesh->max, *object->transform, box);
 	glm_vec3_copy(box[0], object->min);
 	glm_vec3_copy(box[1], object->max);
+}
+
+static const char *name_of(const struct object *object)
+{
+	return object->name != NULL ? object->name : "without a name";
+}
+
+/* Whether floats hold where a box comes to lie. */
+static bool check_bounds(const struct object *object, const float min[3], const float max[3],
+	const float transform[16], struct sm_error *error)
+{
+	vec3 box[2];
+	find_bounds(min, max, transform, box);
+	return all_finite(box[0], 6) ||
+	       error_set(error, SM_ERROR_INPUT, "object %s: it reaches too far for numbers",
+		       name_of(object));
+}
+
+/* Of all objects that have the mesh. */
+static bool check_vertices(
+	const struct sm_scene *scene, uint32_t mesh, const float *positions, struct sm_error *error)
+{
+	float min[3], max[3];
+	mesh_box_of(&scene->meshes[mesh], positions, min, max);
+	if (!all_finite(min, 3) || !all_finite(max, 3))
+		return true; /* the mesh says which vertex */
+	for (size_t i = 0; i < scene->object_count; i++) {
+		const struct object *object = &scene->objects[i];
+		if (object->mesh == mesh &&
+			!check_bounds(object, min, max, *object->transform, error))
+			return false;
+	}
+	return true;
 }
 
 bool sm_scene_set_vertices(struct sm_scene *scene, uint32_t mesh, const float *positions,
@@ -132,6 +173,8 @@ bool sm_scene_set_vertices(struct sm_scene *scene, uint32_t mesh, const float *p
 	if (mesh >= scene->mesh_count)
 		return error_set(error, SM_ERROR_INPUT, "no mesh %u", mesh);
 	struct mesh *moved = &scene->meshes[mesh];
+	if (!check_vertices(scene, mesh, positions, error))
+		return false;
 	if (!mesh_set_vertices(moved, positions, normals, &changed, error))
 		return false;
 	if (!changed)
@@ -158,8 +201,10 @@ static bool object_set_transform(struct sm_scene *scene, struct object *object,
 {
 	if (!transform_is_valid(transform))
 		return error_set(error, SM_ERROR_INPUT,
-			"object %s: its transform is not finite and affine",
-			object->name != NULL ? object->name : "without a name");
+			"object %s: its transform is not finite and affine", name_of(object));
+	const struct mesh *mesh = &scene->meshes[object->mesh];
+	if (!check_bounds(object, mesh->min, mesh->max, transform, error))
+		return false;
 	if (object->version > 0 &&
 		memcmp(object->transform, transform, sizeof(object->transform)) == 0)
 		return true;

@@ -140,7 +140,7 @@ static void corners_near_infinity_are_refused(void **state)
 	(void)state;
 	const char *path = folder_write_text("far.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n");
 	assert_false(stage_load(&stage, path, NULL, 0, &error));
-	assert_non_null(strstr(error.text, "it has corners farther than 1e15 from the origin"));
+	assert_non_null(strstr(error.text, "a corner is farther than 1e15 from the origin"));
 	stage_finish(&stage);
 }
 

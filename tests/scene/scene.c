@@ -195,7 +195,12 @@ static void transforms_are_set_on_objects_that_are_there(void **state)
 	skewed[7] = 0.5f;
 	assert_false(sm_scene_set_transform(scene, handle, skewed, &error));
 	assert_input_error(&error, "object hill: its transform is not finite and affine");
-	/* The refused one has changed nothing. */
+	/* Finite in all that is given, yet not where it comes to lie. */
+	memcpy(skewed, still.transform, sizeof(skewed));
+	skewed[5] = skewed[13] = 3e38f;
+	assert_false(sm_scene_set_transform(scene, handle, skewed, &error));
+	assert_input_error(&error, "object hill: it reaches too far for numbers");
+	/* The refused ones have changed nothing. */
 	assert_true(sm_scene_get_bounds(scene, false, min, max));
 	assert_true(max[1] == 1);
 }
@@ -207,6 +212,8 @@ static void moved_vertices_move_the_objects(void **state)
 	struct sm_object_desc desc = still;
 	static const float moved[][3] = {{-1, 0, 2}, {3, 0, 4}, {0, 7, 2}};
 	static const float broken[][3] = {{-1, 0, 2}, {3, 0, 4}, {0, (float)NAN, 2}};
+	static const float endless[][3] = {{-1, 0, 2}, {3, 0, 4}, {0, (float)INFINITY, 2}};
+	static const float distant[][3] = {{-1, 0, 2}, {3, 0, 4}, {0, 3e38f, 2}};
 	uint32_t meshes[2], objects[3];
 	float min[3], max[3];
 	assert_false(sm_scene_set_vertices(scene, 0, moved[0], NULL, &error));
@@ -215,20 +222,25 @@ static void moved_vertices_move_the_objects(void **state)
 	assert_true(sm_scene_add_mesh(scene, &triangle, &meshes[1], NULL));
 	for (uint32_t i = 0; i < 3; i++) {
 		desc.mesh = i / 2;
+		desc.transform[5] = i == 1 ? 2 : 1;
 		assert_true(sm_scene_add_object(scene, &desc, &objects[i], NULL));
 	}
 	uint64_t before = scene->version;
 	assert_true(sm_scene_set_vertices(scene, 0, positions[0], NULL, NULL));
 	assert_false(sm_scene_set_vertices(scene, 0, broken[0], NULL, &error));
 	assert_input_error(&error, "vertex 2 is not finite");
-	assert_true(scene->version == before);
+	assert_false(sm_scene_set_vertices(scene, 0, endless[0], NULL, &error));
+	assert_input_error(&error, "vertex 2 is not finite");
+	assert_false(sm_scene_set_vertices(scene, 0, distant[0], NULL, &error));
+	assert_input_error(&error, "it reaches too far for numbers");
+	assert_true(scene->version == before && scene->meshes[0].max[1] == 1);
 
 	assert_true(sm_scene_set_vertices(scene, 0, moved[0], NULL, NULL));
 	assert_true(scene->meshes[0].version > before && scene->meshes[1].version <= before);
 	assert_true(scene->objects[0].version > before && scene->objects[1].version > before &&
 		    scene->objects[2].version <= before);
 	assert_true(sm_scene_get_bounds(scene, false, min, max));
-	assert_true(max[1] == 7);
+	assert_true(scene->objects[0].max[1] == 7 && max[1] == 14);
 	assert_true(scene->objects[2].max[1] == 1);
 }
 
