@@ -1,13 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/screen_grid.h"
-#include <assert.h>
-#include <math.h>
 #include <string.h>
-
-/* Points farther away than this many cells leave no digits for where their edge crosses a cell. */
-#define FAR_AWAY 1e4f
-
-#define EDGES_MAX 12
 
 void screen_grid_clear(struct screen_grid *grid)
 {
@@ -25,81 +18,28 @@ void screen_grid_unite(struct screen_grid *grid, const struct screen_grid *other
 		grid->rows[row] |= other->rows[row];
 }
 
-static float to_cells(float ndc)
-{
-	return (ndc * 0.5f + 0.5f) * SCREEN_GRID_SIZE;
-}
-
-/* First and last cell of from..to that are on the screen; false if none is. */
-static bool clip_cells(float from, float to, int *first, int *last)
-{
-	float lo = fmaxf(floorf(from), 0.0f), hi = fminf(floorf(to), SCREEN_GRID_SIZE - 1.0f);
-	if (!(lo <= hi))
-		return false;
-	*first = (int)lo;
-	*last = (int)hi;
-	return true;
-}
-
 static uint64_t bits_between(int first, int last)
 {
 	return ~(uint64_t)0 >> (SCREEN_GRID_SIZE - 1 - last) & ~(uint64_t)0 << first;
 }
 
-/* Widens x[0]..x[1] by the part of the edge a -> b between heights y0 and y1. */
-static void widen(struct screen_point a, struct screen_point b, float y0, float y1, float x[2])
-{
-	if ((a.y < y0 && b.y < y0) || (a.y > y1 && b.y > y1))
-		return;
-	float from = a.x, to = b.x;
-	/* An edge that crosses a height is not level: its rise is not 0. */
-	float per_rise = (b.x - a.x) / (b.y != a.y ? b.y - a.y : 1.0f);
-	if ((a.y < y0) != (b.y < y0))
-		*(a.y < y0 ? &from : &to) = a.x + (y0 - a.y) * per_rise;
-	if ((a.y > y1) != (b.y > y1))
-		*(a.y > y1 ? &from : &to) = a.x + (y1 - a.y) * per_rise;
-	x[0] = fminf(x[0], fminf(from, to));
-	x[1] = fmaxf(x[1], fmaxf(from, to));
-}
-
 void screen_grid_add(struct screen_grid *grid, const struct screen_point *points,
 	const uint8_t (*edges)[2], size_t edge_count, float slack)
 {
-	struct screen_point ends[EDGES_MAX][2];
-	float bottom = INFINITY, top = -INFINITY;
-	int first_row, last_row, first, last;
-	assert(edge_count <= EDGES_MAX);
-	for (size_t i = 0; i < edge_count; i++) {
-		for (int end = 0; end < 2; end++) {
-			const struct screen_point *point = &points[edges[i][end]];
-			float x = to_cells(point->x), y = to_cells(point->y);
-			/* false for NaN too */
-			if (!(fabsf(x) < FAR_AWAY && fabsf(y) < FAR_AWAY)) {
-				screen_grid_fill(grid);
-				return;
-			}
-			ends[i][end] = (struct screen_point){x, y};
-			bottom = fminf(bottom, y);
-			top = fmaxf(top, y);
-		}
-	}
-	if (!clip_cells(bottom - slack, top + slack, &first_row, &last_row))
+	struct screen_hull hull;
+	int first, last;
+	if (!screen_hull_init(&hull, points, edges, edge_count, slack, SCREEN_GRID_SIZE))
 		return;
-	for (int row = first_row; row <= last_row; row++) {
-		float x[2] = {INFINITY, -INFINITY};
-		for (size_t i = 0; i < edge_count; i++)
-			widen(ends[i][0], ends[i][1], (float)row - slack, (float)(row + 1) + slack,
-				x);
-		if (clip_cells(x[0] - slack, x[1] + slack, &first, &last))
+	for (int row = hull.first_row; row <= hull.last_row; row++)
+		if (screen_hull_row(&hull, row, &first, &last))
 			grid->rows[row] |= bits_between(first, last);
-	}
 }
 
 bool screen_grid_touches(const struct screen_grid *grid, const float min[2], const float max[2])
 {
 	int first, last, first_row, last_row;
-	if (!clip_cells(to_cells(min[0]), to_cells(max[0]), &first, &last) ||
-		!clip_cells(to_cells(min[1]), to_cells(max[1]), &first_row, &last_row))
+	if (!screen_cells_between(min[0], max[0], SCREEN_GRID_SIZE, &first, &last) ||
+		!screen_cells_between(min[1], max[1], SCREEN_GRID_SIZE, &first_row, &last_row))
 		return false;
 	uint64_t found = 0;
 	for (int row = first_row; row <= last_row; row++)
@@ -135,6 +75,15 @@ bool screen_grid_bounds(const struct screen_grid *grid, int min[2], int max[2])
 	while (!(columns >> (max[0] - 1) & 1))
 		max[0]--;
 	return true;
+}
+
+size_t screen_grid_count(const struct screen_grid *grid)
+{
+	size_t count = 0;
+	for (int row = 0; row < SCREEN_GRID_SIZE; row++)
+		for (uint64_t left = grid->rows[row]; left != 0; left &= left - 1)
+			count++;
+	return count;
 }
 
 bool screen_grid_has(const struct screen_grid *grid, int x, int row)

@@ -2,9 +2,7 @@
 #ifndef GEOM_SCREEN_GRID_H
 #define GEOM_SCREEN_GRID_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "geom/screen_hull.h"
 
 /** Cells a side. */
 #define SCREEN_GRID_SIZE 64
@@ -20,11 +18,6 @@ void screen_grid_fill(struct screen_grid *grid);
 
 /** Marks all that is marked in another. */
 void screen_grid_unite(struct screen_grid *grid, const struct screen_grid *other);
-
-/** A corner of a shape, NDC. */
-struct screen_point {
-	float x, y;
-};
 
 /**
  * Marks the convex hull of points, and all within `slack` cells of it.
@@ -42,6 +35,9 @@ int screen_grid_run_end(const struct screen_grid *grid, int x, int row);
 
 /** The cells min <= x, row < max around all marked ones; false if there are none. */
 bool screen_grid_bounds(const struct screen_grid *grid, int min[2], int max[2]);
+
+/** Number of marked cells. */
+size_t screen_grid_count(const struct screen_grid *grid);
 
 bool screen_grid_has(const struct screen_grid *grid, int x, int row);
 
