@@ -192,8 +192,8 @@ static bool bench_init(struct bench *bench, const char *source, const struct opt
 			.map_size = options->map};
 		bench->renderers[i] = sm_renderer_create(platform_get_proc, error);
 		if (bench->renderers[i] == NULL ||
-			!sm_renderer_set_skips(
-				bench->renderers[i], i == FRAME_KEPT ? NULL : "-all", error) ||
+			!sm_renderer_set_skips(bench->renderers[i],
+				i == FRAME_KEPT ? NULL : "-all,+receiver", error) ||
 			!sm_renderer_set_shadows(bench->renderers[i], &shadow, error))
 			return false;
 	}

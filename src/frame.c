@@ -99,7 +99,7 @@ static bool draw_visibility(const struct surface_pass *view, uint32_t index,
 		.objects = objects_age(view->scene, false),
 		.view = view_key_of(seen),
 		.sampling = light->sampling,
-		.whole = renderer->whole,
+		.whole = renderer->whole || renderer->gpu.skips.off[SKIP_RECEIVER],
 	};
 	bool same = is_same(&light->points, &key) && has_receivers(renderer, &key);
 	if (skip_take(&renderer->gpu.skips, SKIP_POINTS, same))

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "need.h"
 
-bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float max[2])
+bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float max[3])
 {
 	min[0] = min[1] = INFINITY;
-	max[0] = max[1] = -INFINITY;
+	max[0] = max[1] = max[2] = -INFINITY;
 	for (int corner = 0; corner < 8; corner++) {
 		vec4 p = {1.0f, 1.0f, 1.0f, 1.0f};
 		for (int axis = 0; axis < 3; axis++)
@@ -17,6 +17,7 @@ bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float 
 			min[axis] = fminf(min[axis], p[axis] / p[3]);
 			max[axis] = fmaxf(max[axis], p[axis] / p[3]);
 		}
+		max[2] = fmaxf(max[2], p[2] / p[3]);
 	}
 	return true;
 }
@@ -25,7 +26,7 @@ static void mark_box(
 	struct screen_grid *cells, mat4 to_clip, const struct cluster *box, float slack)
 {
 	static const uint8_t sides[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-	float min[2], max[2];
+	float min[2], max[3];
 	if (!box_on_screen(to_clip, box, min, max)) {
 		screen_grid_fill(cells);
 		return;
@@ -64,21 +65,29 @@ void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const stru
 	map->cells[NEED_TECHNIQUE] = soft != NULL ? *soft : map->cells[NEED_MAP];
 }
 
-enum need need_of_rectangle(const struct need_map *map, const float min[2], const float max[2])
+static bool has_need(
+	const struct need_map *map, enum need need, const float min[2], const float max[3])
+{
+	return screen_grid_touches(&map->cells[need], min, max) &&
+	       (need != NEED_TECHNIQUE || map->soft == NULL ||
+		       screen_depths_before(map->soft, min, max, 0.5f * max[2] + 0.5f));
+}
+
+enum need need_of_space(const struct need_map *map, const float min[2], const float max[3])
 {
 	float cone = map->cone;
 	if (max[0] < -cone || min[0] > cone || max[1] < -cone || min[1] > cone)
 		return NEED_AMBIENT;
 	enum need need = NEED_TECHNIQUE;
-	while (need > NEED_LIGHT && !screen_grid_touches(&map->cells[need], min, max))
+	while (need > NEED_LIGHT && !has_need(map, need, min, max))
 		need--;
 	return need;
 }
 
 enum need need_of_box(const struct need_map *map, mat4 to_light_clip, const struct cluster *box)
 {
-	float min[2], max[2];
+	float min[2], max[3];
 	if (!box_on_screen(to_light_clip, box, min, max))
 		return NEED_TECHNIQUE;
-	return need_of_rectangle(map, min, max);
+	return need_of_space(map, min, max);
 }

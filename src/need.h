@@ -2,6 +2,7 @@
 #ifndef NEED_H
 #define NEED_H
 
+#include "geom/screen_depths.h"
 #include "geom/screen_grid.h"
 #include "gles/gpu_scene.h"
 #include "scene/light.h"
@@ -20,6 +21,9 @@ enum need {
 struct need_map {
 	/* Marked where there is this need or a greater one; kept for NEED_MAP and above. */
 	struct screen_grid cells[NEED_COUNT];
+	/* Of those cells that need the technique, where surfaces do that are farther than a
+	 * depth, window; NULL: all do. For the caller to set, and not owned. */
+	const struct screen_depths *soft;
 	float cone; /* half the width of the light's cone, NDC: beside it there is no light. For the
 		       caller to set; INFINITY at first. */
 };
@@ -33,13 +37,14 @@ void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const stru
 	const struct light_frame *frame, const struct screen_grid *soft, bool soft_is_all,
 	float reach, uint32_t map_size);
 
-/** Of surfaces in a rectangle of the light's screen, NDC. */
-enum need need_of_rectangle(const struct need_map *map, const float min[2], const float max[2]);
+/** Of surfaces in a box of the light's screen, NDC. */
+enum need need_of_space(const struct need_map *map, const float min[2], const float max[3]);
 
 /** Of surfaces inside a box; to_light_clip: from the box's space to the light's clip space. */
 enum need need_of_box(const struct need_map *map, mat4 to_light_clip, const struct cluster *box);
 
-/** The rectangle of a screen (NDC) that a box takes; false if it reaches behind the eye. */
-bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float max[2]);
+/** The rectangle of a screen (NDC) that a box takes, and its greatest depth; false if it reaches
+ *  behind the eye. */
+bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float max[3]);
 
 #endif

@@ -54,7 +54,7 @@ struct sm_renderer {
 	uint8_t *needs;                /* enum need of a mesh's clusters; owned */
 	size_t light_capacity, need_capacity;
 	struct frame_key current; /* of the last frame, if it was drawn */
-	bool whole; /* draw every surface with all that the technique does, for comparison */
+	bool whole; /* draw every surface with all that the technique does, whatever skips say */
 };
 
 /** What one frame does, in order. */

@@ -217,7 +217,7 @@ static bool is_large(
 	const struct surface_pass *pass, const struct object *object, const struct gpu_mesh *mesh)
 {
 	mat4 to_clip;
-	float min[2], max[2];
+	float min[2], max[3];
 	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
 	if (!box_on_screen(to_clip, mesh->clusters, min, max))
 		return true;
@@ -263,7 +263,7 @@ static bool cut_to_tiles(
 	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
 	glm_mat4_mul((vec4 *)pass->frame->world_to_clip, (vec4 *)object->transform, to_light_clip);
 	tiles_find(tiles, &pass->shadow->needs, mesh, pass->width, pass->height, to_clip,
-		to_light_clip);
+		to_light_clip, pass->first);
 	return true;
 }
 
@@ -299,6 +299,20 @@ static bool draw_need(struct surface_pass *pass, const struct object *object,
 	       draw_part(pass, object, tiles, need, needed, error);
 }
 
+/* How many parts there are, and how many of them take less than the technique does. */
+static void count_parts(
+	struct sm_renderer *renderer, const struct tiles *tiles, const struct gpu_mesh *mesh)
+{
+	size_t count = SCREEN_GRID_SIZE * SCREEN_GRID_SIZE, needy = 0;
+	if (tiles == NULL)
+		count = mesh->cluster_count;
+	else
+		needy = screen_grid_count(&tiles->of[NEED_TECHNIQUE]);
+	for (size_t i = 0; tiles == NULL && i < count; i++)
+		needy += renderer->needs[i] == NEED_TECHNIQUE;
+	skip_count(&renderer->gpu.skips, SKIP_RECEIVER, count, count - needy);
+}
+
 /* Draws an object that a shadow may fall on, each part with no more than it needs: that is the same
  * there and costs less. */
 static bool draw_in_parts(struct surface_pass *pass, const struct object *object, uint64_t flags,
@@ -310,9 +324,12 @@ static bool draw_in_parts(struct surface_pass *pass, const struct object *object
 	bool tiled = cut_to_tiles(pass, object, &tiles);
 	if (!tiled && !find_needs(pass, object, mesh, error))
 		return false;
+	count_parts(renderer, tiled ? &tiles : NULL, mesh);
 	/* What a further light does not reach it adds nothing to. */
 	enum need least = pass->first ? NEED_AMBIENT : NEED_LIGHT;
-	for (enum need need = least; need < NEED_COUNT; need++) {
+	for (enum need i = 0; i < NEED_COUNT - least; i++) {
+		/* Tiles that overlap: those that are drawn hide what comes after. */
+		enum need need = tiled ? NEED_TECHNIQUE - i : least + i;
 		if (!tiled && memchr(renderer->needs, need, mesh->cluster_count) == NULL)
 			continue;
 		if (!draw_need(pass, object, tiled ? &tiles : NULL, need, flags, error))
@@ -325,7 +342,9 @@ static bool draw_in_parts(struct surface_pass *pass, const struct object *object
  * takes as little everywhere. */
 static bool has_parts(const struct sm_renderer *renderer)
 {
-	return renderer->shadows.technique->prepare != NULL && !renderer->whole;
+	const struct technique *technique = renderer->shadows.technique;
+	return technique->prepare != NULL && !renderer->whole &&
+	       (technique->needs_parts || !renderer->gpu.skips.off[SKIP_RECEIVER]);
 }
 
 static bool draw_object(
@@ -373,6 +392,8 @@ static void map_needs(struct surface_pass *pass)
 						 : 0.0f,
 			renderer->shadows.options.map_size);
 	shadow->mapped = true;
+	shadow->needs.soft =
+		technique->soft_depths != NULL ? technique->soft_depths(shadow->state) : NULL;
 	/* Where a screen is fitted the cone can change and the screen not. */
 	shadow->needs.cone = cone_of(pass);
 }

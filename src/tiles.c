@@ -54,7 +54,7 @@ static void cut_between(
 
 static enum need need_of_polygon(const struct need_map *map, const struct polygon *polygon)
 {
-	float min[2] = {INFINITY, INFINITY}, max[2] = {-INFINITY, -INFINITY};
+	float min[2] = {INFINITY, INFINITY}, max[3] = {-INFINITY, -INFINITY, -INFINITY};
 	int behind = 0;
 	for (int i = 0; i < polygon->count; i++) {
 		const float *p = polygon->corners[i].light;
@@ -67,10 +67,11 @@ static enum need need_of_polygon(const struct need_map *map, const struct polygo
 			min[axis] = fminf(min[axis], p[axis] / p[3]);
 			max[axis] = fmaxf(max[axis], p[axis] / p[3]);
 		}
+		max[2] = fmaxf(max[2], p[2] / p[3]);
 	}
 	if (behind > 0)
 		return behind == polygon->count ? NEED_AMBIENT : NEED_TECHNIQUE;
-	return need_of_rectangle(map, min, max);
+	return need_of_space(map, min, max);
 }
 
 static uint64_t close_gaps(uint64_t row)
@@ -108,14 +109,15 @@ static void mark_band(const struct need_map *map, const struct polygon *triangle
 	}
 }
 
-/* Each tile goes to the greatest need alone. */
-static void set_band(struct tiles *tiles, int first_row, const uint64_t marked[NEED_COUNT])
+/* Each tile goes to its greatest need. */
+static void set_band(
+	struct tiles *tiles, int first_row, const uint64_t marked[NEED_COUNT], bool overlap)
 {
 	uint64_t taken = 0;
 	for (int need = NEED_COUNT - 1; need >= 0; need--) {
 		uint64_t row = need > 0 ? close_gaps(marked[need] | taken) : ~(uint64_t)0;
 		for (int i = 0; i < TILE_BAND; i++)
-			tiles->of[need].rows[first_row + i] = row & ~taken;
+			tiles->of[need].rows[first_row + i] = overlap ? row : row & ~taken;
 		taken = row;
 	}
 }
@@ -137,7 +139,7 @@ static bool see_triangle(struct polygon *seen, const struct mesh *mesh, size_t t
 }
 
 void tiles_find(struct tiles *tiles, const struct need_map *map, const struct mesh *mesh,
-	uint32_t width, uint32_t height, mat4 to_clip, mat4 to_light_clip)
+	uint32_t width, uint32_t height, mat4 to_clip, mat4 to_light_clip, bool overlap)
 {
 	/* One pixel: half for the one that a tile's side cuts, half for where it is shaded. */
 	const float margin[2] = {2.0f / (float)width, 2.0f / (float)height};
@@ -149,6 +151,6 @@ void tiles_find(struct tiles *tiles, const struct need_map *map, const struct me
 		uint64_t marked[NEED_COUNT] = {0};
 		for (size_t i = 0; i < count; i++)
 			mark_band(map, &seen[i], row, margin, marked);
-		set_band(tiles, row, marked);
+		set_band(tiles, row, marked, overlap);
 	}
 }

@@ -145,7 +145,7 @@ static bool contender_init(struct contender *contender, const struct timing_requ
 	contender->renderer = sm_renderer_create_with(platform_get_proc, &request->driver, error);
 	/* Frame by frame the same is timed: all of it, as if it were new. */
 	return contender->renderer != NULL &&
-	       sm_renderer_set_skips(contender->renderer, "-all", error) &&
+	       sm_renderer_set_skips(contender->renderer, "-all,+receiver", error) &&
 	       sm_renderer_set_shadows(contender->renderer, shadow, error);
 }
 

@@ -53,7 +53,7 @@ static void run_repeat(
 		sm_renderer_create_with(platform_get_proc, &context->driver, &error);
 	if (renderer == NULL)
 		check_fail(result, "%s", error.text);
-	else if (!sm_renderer_set_skips(renderer, "-all", &error))
+	else if (!sm_renderer_set_skips(renderer, "-all,+receiver", &error))
 		check_fail(result, "%s", error.text);
 	else if (check_lacks(renderer, item->choice[0]))
 		check_skip(result, "the driver lacks what %s takes; see smoothie info",

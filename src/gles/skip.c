@@ -10,6 +10,8 @@ static const struct {
 	[SKIP_LIGHT] = {"light", "what a light sees, while it and the objects stay as they are"},
 	[SKIP_STATIC] = {"static", "what a light sees beside objects that have changed"},
 	[SKIP_CASTER] = {"caster", "an object that is beside a light's screen"},
+	[SKIP_RECEIVER] = {"receiver",
+		"all but a hard shadow, or light itself, on what no penumbra can reach"},
 	[SKIP_VIEW] = {"view", "a light that reaches nothing in the view"},
 	[SKIP_DIM] = {"dim", "a light, after the first, that adds less than rounding takes away"},
 	[SKIP_POINTS] = {"points", "a light's visibility at points of a view that stays the same"},

@@ -151,6 +151,7 @@ const struct technique technique_auto = {
 	.prepare = auto_prepare,
 	.surface_flags = auto_surface_flags,
 	.soft_grid = auto_soft_grid,
+	.needs_parts = true,
 	.soft_is_all = true,
 	.sampling = auto_sampling,
 	.fits_screen = true,

@@ -38,23 +38,33 @@ void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu)
 	fin_set_finish(&stream->set);
 	object_watch_finish(&stream->receivers);
 	free(stream->grids);
+	free(stream->depths);
 	stream->grids = NULL;
+	stream->depths = NULL;
 }
 
 void fin_stream_list_memory(const struct fin_stream *stream, const struct memory_list *list)
 {
 	fin_set_list_memory(&stream->set, list);
 	object_watch_list_memory(&stream->receivers, list);
-	memory_list_processor(list, "fins: grids", stream->grid_capacity * sizeof(*stream->grids));
+	memory_list_processor(list, "fins: grids",
+		stream->grid_capacity * sizeof(*stream->grids) +
+			(stream->depths != NULL ? sizeof(*stream->depths) : 0));
+}
+
+static const uint8_t quad_edges[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+
+/* Cells by which a surface may lie beside texels that it looks up, whose centres lie up to one
+ * texel off; half a texel more for what the rasteriser snaps. */
+static float slack_of(int cells, GLsizei map_size)
+{
+	return 1.5f * (float)cells / (float)map_size;
 }
 
 static void mark_part(struct screen_grid *grid, const struct fin_set *set,
 	const struct fin_part *part, GLsizei map_size)
 {
-	static const uint8_t edges[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-	/* A surface looks up texels whose centres lie up to one texel off; half a texel more for
-	 * what the rasteriser snaps. */
-	float slack = 1.5f * SCREEN_GRID_SIZE / (float)map_size;
+	float slack = slack_of(SCREEN_GRID_SIZE, map_size);
 	screen_grid_clear(grid);
 	for (size_t quad = part->first; quad < part->first + part->count; quad += 4) {
 		struct screen_point corners[4];
@@ -62,7 +72,7 @@ static void mark_part(struct screen_grid *grid, const struct fin_set *set,
 			corners[i] =
 				(struct screen_point){set->vertices[quad + (size_t)i].position[0],
 					set->vertices[quad + (size_t)i].position[1]};
-		screen_grid_add(grid, corners, edges, 4, slack);
+		screen_grid_add(grid, corners, quad_edges, 4, slack);
 	}
 }
 
@@ -140,6 +150,50 @@ static bool draw_receivers(struct fin_stream *stream, struct gpu *gpu, const str
 		       maps->receivers, gpu, scene, frame, DEPTH_OF_RECEIVERS_ONLY, &part, error);
 }
 
+/* Window depth: by what rasterisers, and shaders that find where a surface is, round. */
+#define DEPTH_ROUNDING 1e-5f
+
+/* in_front: fins count for what is in front of them as well. */
+static void add_depths(
+	struct screen_depths *depths, const struct fin_vertex quad[4], float slack, bool in_front)
+{
+	struct screen_point corners[4];
+	float least = INFINITY;
+	for (int i = 0; i < 4; i++) {
+		corners[i] = (struct screen_point){quad[i].position[0], quad[i].position[1]};
+		least = fminf(least, 0.5f * quad[i].position[2] + 0.5f - DEPTH_ROUNDING);
+	}
+	screen_depths_add(depths, corners, quad_edges, 4, slack, in_front ? -INFINITY : least);
+}
+
+/* Where fins have changed in a part of the screen. */
+static bool find_depths(
+	struct fin_stream *stream, GLsizei map_size, const struct screen_box *part, bool in_front)
+{
+	const float cell = 2.0f / SCREEN_DEPTHS_SIZE;
+	const float slack = slack_of(SCREEN_DEPTHS_SIZE, map_size);
+	const struct fin_set *set = &stream->set;
+	struct screen_box cleared = screen_box_widened(part, slack * cell);
+	if (stream->depths == NULL && set->vertex_count == 0)
+		return true;
+	if (stream->depths == NULL) {
+		stream->depths = malloc(sizeof(*stream->depths));
+		cleared = screen_box_all();
+	}
+	if (stream->depths == NULL)
+		return false;
+	screen_depths_clear(stream->depths, &cleared);
+	const struct screen_box reach = screen_box_widened(&cleared, (slack + 1.0f) * cell);
+	for (size_t i = 0; i < set->part_count; i++) {
+		const struct fin_part *fins = &set->parts[i];
+		for (size_t j = 0; screen_box_touches(&fins->box, &reach) && j < fins->count;
+			j += 4)
+			add_depths(
+				stream->depths, &set->vertices[fins->first + j], slack, in_front);
+	}
+	return true;
+}
+
 static bool prepare(struct fin_stream *stream, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct fin_shape *shape, const struct fin_maps *maps,
 	uint64_t *flags, struct screen_box *part, struct sm_error *error)
@@ -158,6 +212,8 @@ static bool prepare(struct fin_stream *stream, struct gpu *gpu, const struct sm_
 	/* Which look at what is beside their silhouettes. */
 	if (shape->both_sides)
 		widen(stream, &maps->casters->target, part);
+	if (!find_depths(stream, maps->casters->target.size, part, shape->both_sides))
+		return error_no_memory(error);
 	return screen_box_is_none(part) || !(*flags & FLAG_RECEIVER_MAP) ||
 	       draw_receivers(stream, gpu, scene, frame, shape, maps, *part, error);
 }

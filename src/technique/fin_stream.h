@@ -2,6 +2,7 @@
 #ifndef TECHNIQUE_FIN_STREAM_H
 #define TECHNIQUE_FIN_STREAM_H
 
+#include "geom/screen_depths.h"
 #include "geom/screen_grid.h"
 #include "scene/fin_set.h"
 #include "technique/depth_map.h"
@@ -17,6 +18,7 @@ struct fin_stream {
 	struct screen_grid grid;       /* where surfaces that look them up may be */
 	struct screen_grid *grids;     /* the same of each object; owned */
 	size_t grid_capacity;
+	struct screen_depths *depths; /* of fins, window; owned; NULL until there are some */
 };
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu);

@@ -390,6 +390,7 @@ const struct technique technique_gather = {
 	.prepare = gather_prepare,
 	.surface_flags = gather_surface_flags,
 	.soft_grid = gather_soft_grid,
+	.needs_parts = true,
 	.soft_is_all = true,
 	.sampling = gather_sampling,
 	.list_memory = gather_list_memory,

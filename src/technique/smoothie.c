@@ -182,6 +182,12 @@ const struct screen_grid *smoothie_soft_grid(const void *state)
 	return &smoothie->fins.grid;
 }
 
+const struct screen_depths *smoothie_soft_depths(const void *state)
+{
+	const struct smoothie *smoothie = state;
+	return smoothie->fins.depths;
+}
+
 void smoothie_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct smoothie *smoothie = state;
@@ -216,6 +222,7 @@ const struct technique technique_smoothie = {
 	.prepare = smoothie_prepare,
 	.surface_flags = smoothie_surface_flags,
 	.soft_grid = smoothie_soft_grid,
+	.soft_depths = smoothie_soft_depths,
 	.list_memory = smoothie_list_memory,
 	.bind = smoothie_bind,
 };

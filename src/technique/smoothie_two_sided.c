@@ -120,6 +120,12 @@ static const struct screen_grid *two_sided_soft_grid(const void *state)
 	return &two_sided->fins.grid;
 }
 
+static const struct screen_depths *two_sided_soft_depths(const void *state)
+{
+	const struct two_sided *two_sided = state;
+	return two_sided->fins.depths;
+}
+
 static void two_sided_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct two_sided *two_sided = state;
@@ -147,6 +153,7 @@ const struct technique technique_smoothie_two_sided = {
 	.prepare = two_sided_prepare,
 	.surface_flags = two_sided_surface_flags,
 	.soft_grid = two_sided_soft_grid,
+	.soft_depths = two_sided_soft_depths,
 	.list_memory = two_sided_list_memory,
 	.bind = two_sided_bind,
 };

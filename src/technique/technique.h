@@ -3,6 +3,7 @@
 #define TECHNIQUE_TECHNIQUE_H
 
 #include "base/memory_list.h"
+#include "geom/screen_depths.h"
 #include "geom/screen_grid.h"
 #include "gles/gpu.h"
 #include "scene/light.h"
@@ -66,6 +67,10 @@ struct technique {
 	/** Where on the light's screen surfaces may look otherwise than FLAG_HARD draws them, for
 	 *  which bind() serves as well; owned by the state. NULL: everywhere. */
 	const struct screen_grid *(*soft_grid)(const void *state);
+	/** Within soft_grid(), the same for surfaces alone that are farther from the light than a
+	 *  depth; owned by the state. NULL, or returns that: for all. */
+	const struct screen_depths *(*soft_depths)(const void *state);
+	bool needs_parts; /* what no caster can reach is lit: looked up, it would not always be */
 	bool soft_is_all; /* elsewhere nothing is darkened at all */
 	/** Chooses, once a frame and light, for which pixels visibility is found, and when
 	 *  (src/sparse_pass.h, src/deferred_pass.h). NULL: for each, with its surface. */

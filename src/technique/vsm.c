@@ -176,6 +176,7 @@ const struct technique technique_vsm = {
 	.prepare = vsm_prepare,
 	.surface_flags = vsm_surface_flags,
 	.reach = vsm_reach,
+	.needs_parts = true,
 	.list_memory = vsm_list_memory,
 	.bind = vsm_bind,
 };

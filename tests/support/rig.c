@@ -76,7 +76,7 @@ void rig_use_path(struct rig *rig, const char *path)
 
 void rig_skip_nothing(struct rig *rig)
 {
-	assert_true(sm_renderer_set_skips(rig->renderer, "-all", NULL));
+	assert_true(sm_renderer_set_skips(rig->renderer, "-all,+receiver", NULL));
 }
 
 bool rig_can_draw(const char *technique)

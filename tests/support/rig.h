@@ -23,7 +23,8 @@ void rig_use_driver(struct rig *rig, const struct sm_driver_options *options);
 /** The same with one path forced; skips the test where the driver cannot. */
 void rig_use_path(struct rig *rig, const char *path);
 
-/** Has each frame drawn in full, as if nothing had been drawn before. */
+/** Has each frame drawn in full, as if nothing had been drawn before; what surfaces need not look
+ * up they do not. */
 void rig_skip_nothing(struct rig *rig);
 
 /** Whether the context is one that the technique can be drawn in: "vsm" takes a target of floats. A
