@@ -22,6 +22,7 @@
 struct options {
 	uint32_t size, map, rounds;
 	const char *technique, *figure;
+	bool plain; /* the framebuffer is not sRGB */
 };
 
 /* A scene and what draws it. */
@@ -48,7 +49,8 @@ static double now_ms(void)
 
 static void init_target(struct bench *bench)
 {
-	static const GLenum formats[2] = {GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24};
+	const GLenum formats[2] = {
+		bench->options->plain ? GL_RGBA8 : GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24};
 	static const GLenum attachments[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
 	GLsizei size = (GLsizei)bench->options->size;
 	glGenFramebuffers(1, &bench->framebuffer);
@@ -221,23 +223,25 @@ static bool figure_view(const struct bench *bench, struct sm_error *error)
 	return done;
 }
 
-/* Lights behind the camera that shine away from what it sees. */
+/* Lights behind the camera that shine away from what it sees; the one in view comes last. */
 static bool add_lights(struct player *player, struct sm_error *error)
 {
 	const struct sm_camera *camera = &player->stage.camera;
 	struct sm_light_desc desc = {
 		.radius = 0.1f, .angle = 60, .softness = 0.1f, .color = {1, 1, 1}, .intensity = 1};
+	const struct sm_light_desc seen = player->stage.scene->lights[0].desc;
 	uint32_t light;
-	for (int i = 1; i < LIGHTS; i++) {
+	for (int i = 0; i < LIGHTS - 1; i++) {
 		for (int axis = 0; axis < 3; axis++) {
 			float back = camera->eye[axis] - camera->target[axis];
 			desc.position[axis] = camera->eye[axis] + 0.1f * (float)i * back;
 			desc.target[axis] = desc.position[axis] + back;
 		}
-		if (!sm_scene_add_light(player->stage.scene, &desc, &light, error))
+		if (i == 0 ? !sm_scene_set_light(player->stage.scene, 0, &desc, error)
+			   : !sm_scene_add_light(player->stage.scene, &desc, &light, error))
 			return false;
 	}
-	return true;
+	return sm_scene_add_light(player->stage.scene, &seen, &light, error);
 }
 
 /* Eight lights, of which one is in the view, against that one. */
@@ -349,14 +353,15 @@ static void usage(FILE *file)
 	      "  -s  pixels a side of the picture (1024)\n"
 	      "  -m  texels a side of the shadow map (1024)\n"
 	      "  -n  rounds, up to 101; medians are printed (15)\n"
-	      "  -t  technique (smoothie)\n",
+	      "  -t  technique (smoothie)\n"
+	      "  -p  into a framebuffer that is not sRGB\n",
 		file);
 }
 
 static bool parse(struct options *options, int argc, char **argv)
 {
 	int option;
-	while ((option = getopt(argc, argv, "f:s:m:n:t:h")) != -1) {
+	while ((option = getopt(argc, argv, "f:s:m:n:t:ph")) != -1) {
 		uint32_t *value = option == 's'   ? &options->size
 				  : option == 'm' ? &options->map
 				  : option == 'n' ? &options->rounds
@@ -365,7 +370,9 @@ static bool parse(struct options *options, int argc, char **argv)
 			usage(stdout);
 			exit(0);
 		}
-		if (option == 't' || option == 'f')
+		if (option == 'p')
+			options->plain = true;
+		else if (option == 't' || option == 'f')
 			*(option == 't' ? &options->technique : &options->figure) = optarg;
 		else if (value == NULL || (*value = (uint32_t)strtoul(optarg, NULL, 10)) == 0)
 			return false;

@@ -122,22 +122,56 @@ static bool draw_visibility(const struct surface_pass *view, uint32_t index,
 #define GREY_STEP (1.0f / (255.0f * 12.92f))
 #define DIM_MAX (GREY_STEP / 4.0f)
 
-/* Whether a light of the picture changes any pixel. The first is added to the ambient light before
- * the sum is rounded. */
-static bool find_left_out(const struct surface_pass *pass, const struct view_volume *volume,
-	uint32_t index, struct shadowed_light *light)
+/* A light is left out where it shows nothing; the lead light, which is added to the ambient light
+ * before the sum is rounded, only where it reaches nothing. */
+static void find_left_out(const struct surface_pass *pass, struct shadowed_light *light, bool lead)
 {
 	struct skips *skips = &pass->renderer->gpu.skips;
+	float limit = lead ? FLT_MIN : DIM_MAX;
+	light->shows = light->brightest >= limit;
+	light->left_out = skip_take(skips, SKIP_VIEW, light->brightest == 0.0f);
+	if (!lead && light->brightest > 0.0f && skip_take(skips, SKIP_DIM, !light->shows))
+		light->left_out = true;
+}
+
+/* Finds what lights first .. last - 1 show, whatever is skipped. The lead is the first that shows
+ * anything, so that the surfaces are drawn once where no other does. Returns how many show. */
+static uint32_t find_lights(struct surface_pass *pass, uint32_t first, uint32_t last)
+{
+	struct sm_renderer *renderer = pass->renderer;
+	struct view_volume volume;
+	uint32_t count = 0;
+	view_volume_init(&volume, pass->world_to_clip);
+	pass->lead = last;
+	for (uint32_t i = first; i < last; i++) {
+		struct shadowed_light *light = &renderer->lights[i - first];
+		const struct sm_light_desc *desc = &pass->scene->lights[i].desc;
+		(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
+			&light->frame, desc, pass->scene);
+		light->brightest =
+			light_brightest(desc, &light->frame, pass->scene, &volume, DIM_MAX);
+		if (pass->lead == last && light->brightest >= DIM_MAX)
+			pass->lead = i;
+	}
+	if (pass->lead == last)
+		pass->lead = first;
+	for (uint32_t i = first; i < last; i++) {
+		find_left_out(pass, &renderer->lights[i - first], i == pass->lead);
+		count += renderer->lights[i - first].shows;
+	}
+	return count;
+}
+
+/* The one whose visibility is the picture. */
+static void find_only_light(struct surface_pass *pass, uint32_t index)
+{
+	struct sm_renderer *renderer = pass->renderer;
+	struct shadowed_light *light = &renderer->lights[0];
+	(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
+		&light->frame, &pass->scene->lights[index].desc, pass->scene);
+	light->shows = true;
 	light->left_out = false;
-	if (pass->flags & FLAG_VISIBILITY)
-		return true;
-	float limit = index == 0 ? FLT_MIN : DIM_MAX;
-	float brightest = light_brightest(
-		&pass->scene->lights[index].desc, &light->frame, pass->scene, volume, limit);
-	light->left_out =
-		skip_take(skips, SKIP_VIEW, brightest == 0.0f) ||
-		(index > 0 && brightest > 0.0f && skip_take(skips, SKIP_DIM, brightest < limit));
-	return brightest >= limit;
+	pass->lead = index;
 }
 
 /* The light's shadow, in the shadow set and, where that is how it is sampled, in the view. */
@@ -189,23 +223,31 @@ static bool draw_shadows(
 		/* Found out on first use, by drawing, before there is any state. */
 		.deferrable = gpu_has(&renderer->gpu, CAP_DEPTH_FETCH),
 		.triangles = count_triangles(pass->scene)};
-	struct view_volume volume;
-	view_volume_init(&volume, pass->world_to_clip);
-	if (!reserve_lights(renderer, last - first))
-		return error_no_memory(error);
 	for (uint32_t i = first; i < last; i++) {
 		struct shadowed_light *light = &renderer->lights[i - first];
-		(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
-			&light->frame, &pass->scene->lights[i].desc, pass->scene);
-		bool shows = find_left_out(pass, &volume, i, light);
 		if (pass->alone)
 			shadow_set_leave(&renderer->shadows, i - first);
 		if (!light->left_out && !draw_shadow(pass, first, i, &view, error))
 			return false;
 		/* Left out or not, so that the choices after are the same. */
-		if (!shows)
+		if (!light->shows)
 			shadow_set_leave(&renderer->shadows, i - first);
 	}
+	return true;
+}
+
+/* Adds one light to the picture. */
+static bool draw_light(
+	struct surface_pass *pass, uint32_t first, uint32_t index, struct sm_error *error)
+{
+	struct shadowed_light *light = &pass->renderer->lights[index - first];
+	if (light->left_out && !pass->first)
+		return true;
+	choose_light(pass, index, light);
+	if (!surface_pass_draw(pass, error))
+		return false;
+	pass->first = false;
+	set_pass_state(&pass->renderer->gpu.gl, false);
 	return true;
 }
 
@@ -232,17 +274,10 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 	set_pass_state(gl, true);
 	if (first == last)
 		return surface_pass_draw(pass, error);
-	for (uint32_t i = first; i < last; i++) {
-		struct shadowed_light *light = &renderer->lights[i - first];
-		if (light->left_out && !pass->first)
-			continue;
-		choose_light(pass, i, light);
-		if (!surface_pass_draw(pass, error))
-			return false;
-		pass->first = false;
-		set_pass_state(gl, false);
-	}
-	return true;
+	bool drawn = draw_light(pass, first, pass->lead, error);
+	for (uint32_t i = first; i < last && drawn; i++)
+		drawn = i == pass->lead || draw_light(pass, first, i, error);
+	return drawn;
 }
 
 static bool check_view(const struct sm_renderer *renderer, const struct sm_scene *scene,
@@ -301,6 +336,8 @@ static bool draw_view(struct surface_pass *pass, const struct sm_view *view, str
 	struct gpu *gpu = &renderer->gpu;
 	struct gl *gl = &gpu->gl;
 	uint32_t light_count = (uint32_t)pass->scene->light_count, light = view->visibility_of;
+	if (!reserve_lights(renderer, light_count))
+		return error_no_memory(error);
 	if (!gpu_scene_update(&gpu->scene, gl, pass->scene, &gpu->stats.uploaded_bytes, error))
 		return false;
 	if (!draw_order_find(&renderer->order, pass->scene, pass->world_to_clip))
@@ -308,11 +345,13 @@ static bool draw_view(struct surface_pass *pass, const struct sm_view *view, str
 	gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
 	if (light != SM_NONE) {
 		pass->flags = FLAG_VISIBILITY;
+		find_only_light(pass, light);
 		return draw_lights(pass, light, light + 1, view->framebuffer, error);
 	}
+	uint32_t shown = find_lights(pass, 0, light_count);
 	if (!gl_framebuffer_is_srgb(gl, view->framebuffer))
 		pass->flags = FLAG_ENCODE_SRGB;
-	if (pass->flags & FLAG_ENCODE_SRGB && light_count > 1)
+	if (pass->flags & FLAG_ENCODE_SRGB && shown > 1)
 		return draw_by_accumulator(pass, view, error);
 	return draw_lights(pass, 0, light_count, view->framebuffer, error);
 }

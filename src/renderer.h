@@ -22,6 +22,8 @@ struct points_key {
 /** A light of the frame. */
 struct shadowed_light {
 	struct light_frame frame;
+	float brightest;             /* of what it adds to a pixel: a bound, up to what matters */
+	bool shows;                  /* that changes any, whether or not it is left out */
 	bool left_out;               /* nothing of it is drawn; the rest is of an earlier frame */
 	struct light_shadow *shadow; /* in the shadow set */
 	enum sm_sampling sampling;   /* of the frame */

@@ -17,6 +17,7 @@ struct surface_pass {
 	struct light_shadow *shadow;       /* of the light, in the shadow set */
 	struct picture *cells;             /* of the sparse picture; NULL: there is none */
 	struct picture *found;             /* visibility of each pixel; NULL: it is not known */
+	uint32_t lead;                     /* of the frame's lights, the one that is drawn first */
 	bool first;
 	uint64_t flags; /* for all surfaces: VISIBILITY, ENCODE_SRGB, POINTS, RECEIVERS */
 	const struct program *program; /* in use; of the pass itself */
