@@ -379,6 +379,51 @@ static void test_a_frame_alone_does_not_go_by_those_before(void **state)
 	canvas_finish(&canvas);
 }
 
+/* Of lights that shine away from what is seen, before the one that lights it. */
+static void add_aside(struct sm_scene *scene, int count)
+{
+	struct sm_light_desc aside = lamp;
+	memcpy(aside.position, (const float[3]){20, 30, 50}, sizeof(aside.position));
+	memcpy(aside.target, (const float[3]){40, 60, 100}, sizeof(aside.target));
+	for (int i = 0; i < count; i++)
+		parts_add_light(scene, &aside);
+}
+
+/* Wherever it is among the lights, and whatever the framebuffer encodes. */
+static void test_one_light_in_view_costs_what_it_does_alone(void **state)
+{
+	struct rig *rig = *state;
+	static const GLenum formats[] = {GL_SRGB8_ALPHA8, GL_RGBA8};
+	static const struct sm_environment environment = {.sky = {0.1f, 0.2f, 0.3f}};
+	struct sm_scene *many = sm_scene_create();
+	assert_non_null(many);
+	sm_scene_set_environment(rig->scene, &environment);
+	sm_scene_set_environment(many, &environment);
+	set_up(rig->scene, 1);
+	add_aside(many, 5);
+	set_up(many, 1);
+	add_aside(many, 2);
+	for (size_t i = 0; i < COUNT(formats); i++) {
+		struct canvas canvas;
+		struct sm_frame_stats alone, among;
+		canvas_init(&canvas, formats[i], SIZE, SIZE);
+		struct sm_view view = view_of(&canvas, &camera);
+		rig_draw(rig, rig->scene, &view);
+		sm_renderer_get_stats(rig->renderer, &alone);
+		uint8_t *expected = canvas_read(&canvas);
+		rig_draw(rig, many, &view);
+		sm_renderer_get_stats(rig->renderer, &among);
+		uint8_t *found = canvas_read(&canvas);
+		assert_memory_equal(found, expected, SIZE * SIZE * 4);
+		assert_int_equal(among.draw_calls, alone.draw_calls);
+		assert_int_equal(among.lights, 1);
+		free(expected);
+		free(found);
+		canvas_finish(&canvas);
+	}
+	sm_scene_destroy(many);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -388,6 +433,7 @@ int main(void)
 		rig_test(test_what_is_kept_is_of_one_scene),
 		rig_test(test_choices_start_anew_when_a_light_comes_into_view),
 		rig_test(test_a_frame_alone_does_not_go_by_those_before),
+		rig_test(test_one_light_in_view_costs_what_it_does_alone),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
