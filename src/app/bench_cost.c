@@ -74,6 +74,7 @@ static bool measure(const struct bench_cell *cell, const struct stage *stage,
 		.count = contender_count(options),
 		.base = base_index(options),
 		.driver = driver_options_get(&options->driver),
+		.skips = options->driver.skips,
 		.rounds = options->rounds,
 		.pass_rounds = threads == THREADS_DEFAULT ? pass_rounds(options) : 0,
 		.progress = count_frame,
@@ -133,6 +134,7 @@ static bool weigh(const struct bench_cell *cell, size_t technique, const struct 
 		.shadow = &shadow,
 		.count = 1,
 		.driver = driver_options_get(&cell->options->driver),
+		.skips = cell->options->driver.skips,
 		.rounds = 1,
 	};
 	struct timing timing;

@@ -47,6 +47,7 @@ static const struct flag flags[] = {
 	{FLAG_PAPER, "paper", NULL, "measure what the papers' own tables hold instead"},
 	{FLAG_MODELS, "models", "DIR", "with --paper: folder of spot.glb and sheen-chair.glb"},
 	DRIVER_FLAGS,
+	SKIP_FLAG,
 	RENDER_DEVICE_FLAG,
 	COMMON_FLAGS,
 };
@@ -245,6 +246,7 @@ static bool read_flag(
 		return true;
 	case FLAG_CAPS:
 	case FLAG_PATH:
+	case FLAG_NO_SKIP:
 		return driver_options_flag(&options->driver, id, value, error);
 	default:
 		options_common(&options->common, id, value);
@@ -398,6 +400,15 @@ static bool check_heeded(
 	return true;
 }
 
+/* Skips show in times alone. */
+static bool check_skips(const struct bench_options *options, struct sm_error *error)
+{
+	bool timed = !options->errors && !options->paper && !options->stress;
+	return timed || options->driver.skips == NULL ||
+	       options_error(error, &bench_command,
+		       "--no-skip does nothing where frames are not timed one by one");
+}
+
 bool bench_options_read(
 	struct bench_options *options, int argc, char **argv, struct sm_error *error)
 {
@@ -423,7 +434,8 @@ bool bench_options_read(
 			error, &bench_command, "%.200s: name scenes by --scene", argv[optind]);
 	if (options->common.help)
 		return true;
-	return check_heeded(options, given, error) && (options->stress || complete(options, error));
+	return check_heeded(options, given, error) && check_skips(options, error) &&
+	       (options->stress || complete(options, error));
 }
 
 void bench_options_finish(struct bench_options *options)

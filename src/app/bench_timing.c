@@ -144,8 +144,10 @@ static bool contender_init(struct contender *contender, const struct timing_requ
 		return error_no_memory(error);
 	contender->renderer = sm_renderer_create_with(platform_get_proc, &request->driver, error);
 	/* Frame by frame the same is timed: all of it, as if it were new. */
+	static const char kept[] = "-frame,-light,-static,-points";
 	return contender->renderer != NULL &&
-	       sm_renderer_set_skips(contender->renderer, "-all,+receiver", error) &&
+	       sm_renderer_set_skips(contender->renderer, kept, error) &&
+	       sm_renderer_set_skips(contender->renderer, request->skips, error) &&
 	       sm_renderer_set_shadows(contender->renderer, shadow, error);
 }
 

@@ -13,6 +13,7 @@ struct timing_request {
 	size_t count;
 	size_t base; /* the one that ratios are to */
 	struct sm_driver_options driver;
+	const char *skips;    /* as sm_renderer_set_skips(), of what is skipped within a frame */
 	uint32_t rounds;      /* frames of each, 1 or more */
 	uint32_t pass_rounds; /* further frames of each, whose passes are timed; 0: none */
 	/** Hears of every frame; may be NULL. */

@@ -123,6 +123,7 @@ static const struct {
 	{2, "no skip \"nothing\"; there are: all frame light",
 		{"render", CYLINDER, "--no-skip", "light", "--no-skip", "nothing"}},
 	{2, "--no-skip needs NAME", {"show", "--no-skip"}},
+	{2, "--no-skip does nothing", {"bench", "--errors", "--no-skip", "receiver"}},
 
 	{2, "unknown flag --size", {"info", "--size", "3x3"}},
 	{2, "missing.obj", {"info", "missing.obj"}},
