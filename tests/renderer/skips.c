@@ -424,6 +424,45 @@ static void test_one_light_in_view_costs_what_it_does_alone(void **state)
 	sm_scene_destroy(many);
 }
 
+static void move_block(struct sm_scene *scene, float x)
+{
+	float transform[16];
+	pose_matrix(&(struct pose){.scale = {0.6f, 0.2f, 0.4f}, .position = {x, 1, 0}}, transform);
+	assert_true(sm_scene_set_transform(scene, 0, transform, NULL));
+}
+
+/* Parts of surfaces that need less than all, in a frame. */
+static uint64_t count_plain_parts(struct rig *rig, const struct sm_view *view)
+{
+	struct sm_skip_stats before, after;
+	size_t index = 0;
+	while (strcmp(sm_skip_name(index), "receiver") != 0)
+		index++;
+	sm_renderer_get_skip_stats(rig->renderer, index, &before);
+	rig_draw(rig, rig->scene, view);
+	sm_renderer_get_skip_stats(rig->renderer, index, &after);
+	assert_true(after.tested > before.tested);
+	return after.skipped - before.skipped;
+}
+
+/* A caster that has gone leaves nothing that surfaces would be looked up for. */
+static void test_fins_that_have_gone_reach_nothing(void **state)
+{
+	struct rig *rig = *state;
+	struct canvas canvas;
+	canvas_init(&canvas, GL_SRGB8_ALPHA8, SIZE, SIZE);
+	set_up(rig->scene, 1);
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "smoothie"});
+	struct sm_view view = view_of(&canvas, &camera);
+	uint64_t there = count_plain_parts(rig, &view);
+	move_block(rig->scene, 40);
+	uint64_t gone = count_plain_parts(rig, &view);
+	assert_true(gone > there);
+	move_block(rig->scene, 0);
+	assert_int_equal(count_plain_parts(rig, &view), there);
+	canvas_finish(&canvas);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -434,6 +473,7 @@ int main(void)
 		rig_test(test_choices_start_anew_when_a_light_comes_into_view),
 		rig_test(test_a_frame_alone_does_not_go_by_those_before),
 		rig_test(test_one_light_in_view_costs_what_it_does_alone),
+		rig_test(test_fins_that_have_gone_reach_nothing),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
