@@ -153,9 +153,7 @@ static bool draw_receivers(struct fin_stream *stream, struct gpu *gpu, const str
 /* Window depth: by what rasterisers, and shaders that find where a surface is, round. */
 #define DEPTH_ROUNDING 1e-5f
 
-/* in_front: fins count for what is in front of them as well. */
-static void add_depths(
-	struct screen_depths *depths, const struct fin_vertex quad[4], float slack, bool in_front)
+static void add_depths(struct screen_depths *depths, const struct fin_vertex quad[4], float slack)
 {
 	struct screen_point corners[4];
 	float least = INFINITY;
@@ -163,12 +161,11 @@ static void add_depths(
 		corners[i] = (struct screen_point){quad[i].position[0], quad[i].position[1]};
 		least = fminf(least, 0.5f * quad[i].position[2] + 0.5f - DEPTH_ROUNDING);
 	}
-	screen_depths_add(depths, corners, quad_edges, 4, slack, in_front ? -INFINITY : least);
+	screen_depths_add(depths, corners, quad_edges, 4, slack, least);
 }
 
 /* Where fins have changed in a part of the screen. */
-static bool find_depths(
-	struct fin_stream *stream, GLsizei map_size, const struct screen_box *part, bool in_front)
+static bool find_depths(struct fin_stream *stream, GLsizei map_size, const struct screen_box *part)
 {
 	const float cell = 2.0f / SCREEN_DEPTHS_SIZE;
 	const float slack = slack_of(SCREEN_DEPTHS_SIZE, map_size);
@@ -188,8 +185,7 @@ static bool find_depths(
 		const struct fin_part *fins = &set->parts[i];
 		for (size_t j = 0; screen_box_touches(&fins->box, &reach) && j < fins->count;
 			j += 4)
-			add_depths(
-				stream->depths, &set->vertices[fins->first + j], slack, in_front);
+			add_depths(stream->depths, &set->vertices[fins->first + j], slack);
 	}
 	return true;
 }
@@ -212,7 +208,7 @@ static bool prepare(struct fin_stream *stream, struct gpu *gpu, const struct sm_
 	/* Which look at what is beside their silhouettes. */
 	if (shape->both_sides)
 		widen(stream, &maps->casters->target, part);
-	if (!find_depths(stream, maps->casters->target.size, part, shape->both_sides))
+	if (!find_depths(stream, maps->casters->target.size, part))
 		return error_no_memory(error);
 	return screen_box_is_none(part) || !(*flags & FLAG_RECEIVER_MAP) ||
 	       draw_receivers(stream, gpu, scene, frame, shape, maps, *part, error);

@@ -463,6 +463,32 @@ static void test_fins_that_have_gone_reach_nothing(void **state)
 	canvas_finish(&canvas);
 }
 
+/* Where fins have changed their depths are found anew, and the others' stay. */
+static void test_depths_of_fins_follow_what_moves(void **state)
+{
+	struct rig *rig = *state;
+	static struct screen_depths followed;
+	static const struct sm_shadow_options options = {.technique = "smoothie", .map_size = 128};
+	struct canvas canvas;
+	canvas_init(&canvas, GL_SRGB8_ALPHA8, SIZE, SIZE);
+	set_up(rig->scene, 1);
+	parts_add_object(rig->scene, parts_add_cube(rig->scene), PART_BOTH,
+		&(struct pose){.scale = {2, 0.1f, 0.1f}, .position = {0, 0.5f, 0.3f}});
+	struct sm_view view = view_of(&canvas, &camera);
+	for (int step = 0; step < 8; step++) {
+		rig_set_shadows(rig, &options);
+		rig_draw(rig, rig->scene, &view);
+		move_block(rig->scene, 0.4f * (float)(step + 1) - 1.6f);
+		rig_draw(rig, rig->scene, &view);
+		followed = *rig->renderer->shadows.shadows[0]->needs.soft;
+		rig_set_shadows(rig, &options);
+		rig_draw(rig, rig->scene, &view);
+		assert_memory_equal(
+			&followed, rig->renderer->shadows.shadows[0]->needs.soft, sizeof(followed));
+	}
+	canvas_finish(&canvas);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -474,6 +500,7 @@ int main(void)
 		rig_test(test_a_frame_alone_does_not_go_by_those_before),
 		rig_test(test_one_light_in_view_costs_what_it_does_alone),
 		rig_test(test_fins_that_have_gone_reach_nothing),
+		rig_test(test_depths_of_fins_follow_what_moves),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
