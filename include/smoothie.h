@@ -482,8 +482,8 @@ SM_API bool sm_model_visibility(const struct sm_scene *scene, const struct sm_vi
 
 /** The same, in float, of a driver that moves the corners of triangles to multiples of 2^-bits of a
  *  pixel, 1 to 8, and interpolates from there, as GL_SUBPIXEL_BITS allows. Others let a grid, of 8
- *  bits here, only decide which pixels a triangle covers. Fails (INPUT) also with other precisions,
- *  which have a grid of their own. */
+ *  bits here, only decide which pixels a triangle covers, as "gather" does by itself on one below 6
+ *  bits. Fails (INPUT) also with other precisions, which have a grid of their own. */
 SM_API bool sm_model_visibility_snapped(const struct sm_scene *scene, const struct sm_view *view,
 	const struct sm_shadow_options *options, uint32_t bits, uint16_t *values,
 	struct sm_error *error);

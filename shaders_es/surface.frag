@@ -39,6 +39,19 @@ vec3 path_to_light()
 }
 #endif
 
+#ifdef SHADOWED
+// On the surface's own plane.
+vec3 seen_position()
+{
+	vec3 p = surface_position;
+#ifdef COARSE
+	vec2 pixels = to_middle();
+	p += pixels.x * dFdx(p) + pixels.y * dFdy(p);
+#endif
+	return p;
+}
+#endif
+
 #if defined(VISIBILITY) && defined(LIT)
 // The triangle's own normal, since visibility is that of the geometry, not of how it is shaded; on
 // the side that is seen, as the interpolated one tells.
@@ -77,7 +90,7 @@ void main()
 	float v = 1.0;
 	bool wide = true;
 #ifdef SHADOWED
-	v = clamp(shadow_visibility(surface_position), 0.0, 1.0);
+	v = clamp(shadow_visibility(seen_position()), 0.0, 1.0);
 	wide = !narrow_penumbra;
 #endif
 	point = uvec2(floatBitsToUint(gl_FragCoord.z),
@@ -94,7 +107,7 @@ void main()
 #else
 	bool arrives = strength() > 0.0;
 #endif
-	vec3 s = on_screen(surface_position);
+	vec3 s = on_screen(seen_position());
 	// Half floats end at 65504.
 	vec2 steps = clamp(receiver_slope(s) * (SLOPE_SCALE * map_size.y), -6e4, 6e4);
 	uint slope = packHalf2x16(steps);
@@ -110,7 +123,7 @@ void main()
 	bool faces = faces_light();
 #ifdef SHADOWED
 	light_arrives = faces;
-	v = clamp(shadow_visibility(surface_position), 0.0, 1.0);
+	v = clamp(shadow_visibility(seen_position()), 0.0, 1.0);
 #endif
 	v = faces ? v : 0.0;
 #endif
@@ -126,7 +139,7 @@ void main()
 #ifdef SHADOWED
 	float unshadowed = strength();
 	light_arrives = unshadowed > 0.0;
-	received += light_color * (unshadowed * shadow_visibility(surface_position));
+	received += light_color * (unshadowed * shadow_visibility(seen_position()));
 #elif defined(LIT)
 	received += light_color * strength();
 #endif

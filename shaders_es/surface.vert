@@ -19,6 +19,9 @@ out vec2 surface_uv;
 #if defined(SEEN) || defined(FOUND)
 out vec2 surface_depth; // z and w of clip space
 #endif
+#ifdef COARSE
+out vec3 clip_place; // see common_middle.glsl
+#endif
 
 // The lights after the first are added where the depth is equal.
 invariant gl_Position;
@@ -36,5 +39,8 @@ void main()
 #endif
 #if defined(SEEN) || defined(FOUND)
 	surface_depth = gl_Position.zw;
+#endif
+#ifdef COARSE
+	clip_place = gl_Position.xyw;
 #endif
 }

@@ -93,9 +93,12 @@ static uint64_t object_flags(const struct surface_pass *pass, const struct objec
 		flags |= FLAG_LIT;
 	if (pass->light != NULL && object->receives)
 		flags |= FLAG_SHADOWED;
-	if (flags & FLAG_SHADOWED && !(flags & FLAG_RECEIVERS))
-		flags |= pass->found != NULL ? FLAG_FOUND
-					     : technique->surface_flags(pass->shadow->state);
+	if (flags & FLAG_SHADOWED) {
+		uint64_t way = technique->surface_flags(pass->shadow->state);
+		flags |= flags & FLAG_RECEIVERS ? way & FLAG_COARSE
+			 : pass->found != NULL  ? FLAG_FOUND
+						: way;
+	}
 	return flags;
 }
 
@@ -115,6 +118,9 @@ static bool use_program(struct surface_pass *pass, uint64_t flags, struct sm_err
 	if (flags & FLAG_SHADOWED)
 		pass->renderer->shadows.technique->bind(
 			pass->shadow->state, gpu, pass->frame, pass->program);
+	if (flags & FLAG_COARSE)
+		gpu->gl.Uniform2f(pass->program->uniform.pixel_size, 2.0f / (float)pass->width,
+			2.0f / (float)pass->height);
 	if (flags & FLAG_CELLS)
 		sparse_pass_bind(pass, pass->program);
 	if (flags & FLAG_FOUND)

@@ -50,6 +50,7 @@ static const struct {
 	FLAG(RUNS),
 	FLAG(RECEIVERS),
 	FLAG(FOUND),
+	FLAG(COARSE),
 #undef FLAG
 };
 
@@ -80,7 +81,7 @@ struct part {
 static const struct {
 	const char *name;
 	uint64_t flags; /* that mean something */
-	struct part parts[2][25];
+	struct part parts[2][26];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -152,7 +153,8 @@ static const struct {
 			.flags = FLAG_LIT | FLAG_SHADOWED | SHADOW_FLAGS | FLAG_SEPARATE_DEPTH |
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
-				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS,
+				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS |
+				 FLAG_COARSE,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -184,6 +186,7 @@ static const struct {
 						{"exact_seen.glsl", FLAG_SEEN},
 						{"deferred_seen.glsl", FLAG_FOUND},
 						{"shadow_seen.glsl", FLAG_SEEN | FLAG_FOUND},
+						{"common_middle.glsl", FLAG_COARSE},
 						{"surface.frag"},
 					},
 				},
@@ -312,7 +315,9 @@ static bool reads_plainly(uint64_t flags)
 /* Receivers are drawn for any way alike. */
 static bool receivers_are_valid(uint64_t flags)
 {
-	return !(flags & ~(FLAG_RECEIVERS | FLAG_LIT | FLAG_SHADOWED | FLAG_VISIBILITY)) &&
+	return !(flags & ~(FLAG_RECEIVERS | FLAG_LIT | FLAG_SHADOWED | FLAG_VISIBILITY |
+				 FLAG_COARSE)) &&
+	       implies(flags, FLAG_COARSE, FLAG_SHADOWED) &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT);
 }
 
@@ -327,7 +332,7 @@ static bool surface_is_valid(uint64_t flags)
 	       implies(flags, FLAG_ALPHA_DEPTH, FLAG_SEPARATE_DEPTH) &&
 	       implies(flags, FLAG_SPLIT, FLAG_VSM) &&
 	       implies(flags, FLAG_POINTS, FLAG_VISIBILITY) &&
-	       implies(flags, FLAG_RUNS, FLAG_EDGES) &&
+	       implies(flags, FLAG_RUNS, FLAG_EDGES) && implies(flags, FLAG_COARSE, FLAG_EDGES) &&
 	       excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&

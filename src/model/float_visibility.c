@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "model/technique.h"
 #include "scene/camera.h"
+#include "scene/edge_grid.h"
 #include "scene/penumbra.h"
 #include <stdlib.h>
 #include <string.h>
@@ -73,6 +74,8 @@ static bool set_up(struct scenery *scenery, const struct sm_view *view, struct s
 	if (!camera_world_to_clip(
 		    &view->camera, scene, view->width, view->height, world_to_clip, error))
 		return false;
+	scenery->view.weights_stay = scenery->technique->finds_middle &&
+				     raster_is_coarse((uint32_t)scenery->light.snap_bits);
 	scenery->state = calloc(1, scenery->technique->state_size);
 	if (scenery->state == NULL)
 		return error_no_memory(error);

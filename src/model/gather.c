@@ -518,6 +518,7 @@ const struct model_technique model_gather = {
 	.name = "gather",
 	.state_size = sizeof(struct gather),
 	.fits = true,
+	.finds_middle = true,
 	.init = init,
 	.finish = finish,
 	.visibility = visibility,

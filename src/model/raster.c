@@ -223,16 +223,21 @@ static void move_to_grid(const struct raster_area *area, double corners[3][4])
 		}
 }
 
+/* moved: the corners that coverage is of, and all that does not stay. */
 static void draw(const struct raster_area *area, const double corners[3][4],
-	raster_fragment fragment, void *data)
+	const double moved[3][4], raster_fragment fragment, void *data)
 {
-	struct raster_triangle triangle;
-	if (!set_up(&triangle, area, corners))
+	struct raster_triangle triangle, still;
+	if (!set_up(&triangle, area, moved) || !set_up(&still, area, corners))
 		return;
 	if (area->kept != RASTER_ALL && triangle.front != (area->kept == RASTER_FRONT))
 		return;
+	if (area->weights_stay)
+		memcpy(triangle.weights, still.weights, sizeof(triangle.weights));
+	if (area->depth_stays)
+		triangle.depth = still.depth;
 	struct polygon polygon = {.count = 3};
-	memcpy(polygon.corners, corners, 3 * sizeof(polygon.corners[0]));
+	memcpy(polygon.corners, moved, 3 * sizeof(polygon.corners[0]));
 	for (size_t i = 0; i < sizeof(planes) / sizeof(planes[0]) && polygon.count > 0; i++)
 		cut(&polygon, planes[i]);
 	struct point points[CORNERS_MAX];
@@ -250,7 +255,7 @@ void raster_draw(const struct raster_area *area, const double corners[3][4],
 	memcpy(moved, corners, sizeof(moved));
 	if (area->snap_bits > 0)
 		move_to_grid(area, moved);
-	draw(area, (const double(*)[4])moved, fragment, data);
+	draw(area, corners, (const double(*)[4])moved, fragment, data);
 }
 
 void raster_weights(const struct raster_triangle *triangle, int x, int y, double weights[3])

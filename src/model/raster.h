@@ -26,6 +26,7 @@ struct raster_area {
 	enum raster_cull kept;
 	int snap_bits; /* 0, or corners are first moved to multiples of 2^-bits of a pixel, 1 to
 			  8, and all values with them */
+	bool weights_stay, depth_stays; /* where they are: a coarse grid is made up for */
 };
 
 /** Is told each pixel that a triangle covers. */

@@ -9,6 +9,7 @@ struct model_technique {
 	const char *name;  /* of sm_technique_name() */
 	size_t state_size; /* zeroed before init */
 	bool fits;         /* the light's screen is that of light_frame_fit() */
+	bool finds_middle; /* of pixels, where a coarse raster grid has moved their surfaces */
 	/** Draws the maps. light outlives the state. */
 	bool (*init)(void *state, const struct model_light *light, struct sm_error *error);
 	/** Tolerates a half-made or zeroed state. */

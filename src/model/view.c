@@ -44,6 +44,7 @@ static bool draw_object(struct view *view, const struct object *object, mat4 wor
 		.max = {view->width, view->height},
 		.kept = kept_faces(mesh, object, to_clip, object->single_sided),
 		.snap_bits = view->light->snap_bits,
+		.weights_stay = view->weights_stay,
 	};
 	struct drawing drawing = {
 		.view = view,
@@ -68,7 +69,9 @@ bool view_init(struct view *view, const struct model_light *light, mat4 world_to
 	int height, struct sm_error *error)
 {
 	size_t count = (size_t)width * (size_t)height;
-	*view = (struct view){.light = light, .width = width, .height = height};
+	view->light = light;
+	view->width = width;
+	view->height = height;
 	view->pixels = array_alloc(count, sizeof(*view->pixels));
 	if (view->pixels == NULL)
 		return error_no_memory(error);

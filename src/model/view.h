@@ -17,11 +17,12 @@ struct view_pixel {
 /** What a camera sees, rows from the lower one. */
 struct view {
 	const struct model_light *light;
+	bool weights_stay; /* as in struct raster_area */
 	int width, height;
 	struct view_pixel *pixels; /* owned */
 };
 
-/** Draws the view of a zeroed one. */
+/** Draws the view of one that is zeroed but for weights_stay. */
 bool view_init(struct view *view, const struct model_light *light, mat4 world_to_clip, int width,
 	int height, struct sm_error *error);
 /** Fine on a zeroed one. */

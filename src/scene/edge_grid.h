@@ -26,6 +26,14 @@ static inline int edge_tile_winding(const struct edge_tile *tile)
 	return (int)(tile->count_winding >> 24) - 128;
 }
 
+/** Bits of a texel below which a raster grid is coarse: its steps show in pictures. */
+#define RASTER_BITS_FINE 6
+
+static inline bool raster_is_coarse(uint32_t subpixel_bits)
+{
+	return subpixel_bits < RASTER_BITS_FINE;
+}
+
 struct edge_grid_options {
 	uint32_t tiles;         /* most a side, 32, 64 or 128; half or a quarter of them where
 				   lists would not fit */

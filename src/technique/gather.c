@@ -273,7 +273,8 @@ static uint64_t gather_surface_flags(const void *state)
 	const struct gather *gather = state;
 	if (gather->point)
 		return FLAG_HARD;
-	return gather->grid.whole ? FLAG_EDGES : FLAG_EDGES | FLAG_RUNS;
+	return FLAG_EDGES | (gather->grid.whole ? 0 : FLAG_RUNS) |
+	       (raster_is_coarse(gather->subpixel_bits) ? FLAG_COARSE : 0);
 }
 
 static const struct screen_grid *gather_soft_grid(const void *state)

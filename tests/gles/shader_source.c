@@ -46,6 +46,7 @@ static const struct {
 	{FLAG_EDGES, "EDGES"},
 	{FLAG_PEEL, "PEEL"},
 	{FLAG_RUNS, "RUNS"},
+	{FLAG_COARSE, "COARSE"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -150,17 +151,17 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 			       taps +        /* bicubic */
 			       3 * plain +   /* pcss: plain depths, and one of three comparisons */
 			       comparison +  /* maps */
-			       2 * 2 + /* variance maps, filtered or fetched, whole or split */
-			       2 * 2 + /* gather, for each pixel or what cells leave out, whole
-					  lists or runs */
-			       1 +     /* cells */
-			       1;      /* what was found before surfaces */
+			       2 * 2 +     /* variance maps, filtered or fetched, whole or split */
+			       2 * 2 * 2 + /* gather, for each pixel or what cells leave out, whole
+					      lists or runs, on fine or coarse raster grids */
+			       1 +         /* cells */
+			       1;          /* what was found before surfaces */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
 	/* What was seen before has no picture of visibility; points without light or shadow, or
-	 * with gather of either lists; receivers without light or shadow, or with one, as
-	 * visibility or not. */
-	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 4 + 3 * 2);
+	 * with gather of either lists on either grid; receivers without light or shadow, or with
+	 * one on either grid, as visibility or not. */
+	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + 2 * 2 + 4 * 2);
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
 	/* Whole lists or runs. */
 	assert_int_equal(counts[PROGRAM_FIND], 2);

@@ -232,6 +232,10 @@ static void test_a_coarse_grid_moves_corners_and_values(void **state)
 	}
 	raster_draw(&area, (const double(*)[4])corners, check_weights, &expected);
 	assert_true(expected.pixels > 100);
+	struct expected still = {.corners = (const double(*)[4])corners};
+	area.weights_stay = area.depth_stays = true;
+	raster_draw(&area, (const double(*)[4])corners, check_weights, &still);
+	assert_int_equal(still.pixels, expected.pixels);
 }
 
 int main(void)
