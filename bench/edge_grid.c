@@ -26,7 +26,7 @@ static bool find_chains(struct edge_chains *chains, const struct sm_scene *scene
 		if (!scene->objects[i].casts)
 			continue;
 		if (!edge_chains_see(chains, scene, &scene->objects[i], frame, &view) ||
-			!edge_chains_add(chains, &view, screen))
+			!edge_chains_add(chains, &view, screen, 1))
 			return false;
 	}
 	return true;

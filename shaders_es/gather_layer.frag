@@ -9,6 +9,10 @@ uniform usampler2D front_layer;
 void main()
 {
 	float depth = gl_FragCoord.z;
+#ifdef COARSE
+	depth += dot(to_middle(), vec2(dFdx(depth), dFdy(depth)));
+	gl_FragDepth = depth;
+#endif
 	// Half floats: a sheet as steep as the depth range over a texel is as good as unseen.
 	vec2 slope = clamp(vec2(dFdx(depth), dFdy(depth)), -1.0, 1.0);
 #ifdef PEEL

@@ -13,6 +13,9 @@ uniform float disc_scale;  // radius of the disc, window x or y, over the depth 
 uniform float pole;        // K, see scene/light.h
 uniform float depth_noise; // of vertices far from their origin, whose floats are coarse
 uniform float snap;        // by how much points of edges and sheets are moved, window x or y
+#ifdef COARSE
+uniform float raster_snap; // and by the raster grid, which the outlines of sheets follow
+#endif
 #ifdef RECEIVERS
 bool casts = false; // set for each pixel
 #else
@@ -307,17 +310,25 @@ const vec2 BESIDE = vec2(1.0 / 128.0, 1.0 / 8192.0);
 
 // Whether the origin of a way is on the side of the edge's sheet: `side` is, but for rounding and
 // BESIDE, a whole number of squares of the raster grid.
-bool has_origin(edge edge, float side)
+bool has_origin(vec2 a, vec2 b, float side, float moved)
 {
-	bool runs_down = dot(edge.a - edge.b, vec2(-BESIDE.y, BESIDE.x)) > 0.0;
-	return side >= (runs_down ? -2.0 : 2.0) * snap * snap;
+	bool runs_down = dot(a - b, vec2(-BESIDE.y, BESIDE.x)) > 0.0;
+	return side >= (runs_down ? -2.0 : 2.0) * moved * moved;
 }
 
 // Walks along the edges between vertices. One between the origin and the receiver is where a sheet
 // starts or ends. In whole lists, leaves them where the rest is behind `deepest`.
 void walk_edges(inout sums sum, receiver r, origin from, int first, int end, float deepest)
 {
-	vec2 path = r.s.xy - from.at - snap * BESIDE;
+#ifdef COARSE
+	// Sheets at a texel are told by edges as the rasteriser has them, those at a tile's centre
+	// by edges as they are.
+	float moved = from.depth > 1.0 ? snap : raster_snap, grid = 2.0 * moved;
+	vec2 told_a, told_b = vec2(0.0);
+#else
+	float moved = snap;
+#endif
+	vec2 path = r.s.xy - from.at - moved * BESIDE;
 	edge edge;
 	float across_a = 0.0, across_b = 0.0, depth_a = 0.0, depth_b = 0.0;
 	float most = disc_scale * disc_scale / (r.shrink * r.shrink);
@@ -344,10 +355,17 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 			depth_b = v.z;
 			edge.b = v.xy - r.s.xy;
 			edge.before_b = r.s.z - v.z - dot(r.tilt, edge.b);
-			across_b = cross_of(path, edge.b);
+#ifdef COARSE
+			told_a = told_b;
+			told_b = floor(v.xy / grid + 0.5) * grid - r.s.xy;
+#else
+			vec2 told_a = edge.a, told_b = edge.b;
+#endif
+			across_b = cross_of(path, told_b);
 			edge.side = cross_of(edge.a, edge.b);
-			float side_origin = edge.side - across_a + across_b;
-			turn = int(edge.side >= 0.0) - int(has_origin(edge, side_origin));
+			float side_origin = cross_of(told_a, told_b) - across_a + across_b;
+			turn = int(edge.side >= 0.0) -
+				int(has_origin(told_a, told_b, side_origin, moved));
 			turn = !begins && (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
 #ifdef POINTS
 			bool narrow = is_narrow(edge, r);
@@ -390,6 +408,9 @@ reach reach_of(receiver r, origin from)
 {
 	float share = r.shrink - disc_scale * length(r.tilt);
 	float least = length(r.s.xy - from.at) * BOX_STEPS, margin = 0.0;
+#ifdef COARSE
+	least += 2.0 * raster_snap * BOX_STEPS;
+#endif
 #ifdef POINTS
 	margin = 0.75 * r.spacing * BOX_STEPS / max(share, 1e-6);
 #endif

@@ -42,7 +42,7 @@ static bool find(const struct surface_pass *view, struct picture *found, struct 
 	struct sm_renderer *renderer = view->renderer;
 	struct gpu *gpu = &renderer->gpu;
 	uint64_t way = renderer->shadows.technique->surface_flags(view->shadow->state);
-	struct program_key key = {PROGRAM_FIND, FLAG_RECEIVERS | (way & FLAG_RUNS)};
+	struct program_key key = {PROGRAM_FIND, FLAG_RECEIVERS | (way & (FLAG_RUNS | FLAG_COARSE))};
 	if (!bind_found(view, found, error))
 		return false;
 	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);

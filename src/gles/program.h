@@ -19,7 +19,7 @@
 	X(primitives) X(pixel_size) X(pole_depth) X(map_texels) X(visibility_map) X(visibility_depth) \
 	X(point_map) X(cell_map) X(cell_scale) X(cell_depth) \
 	X(edge_tiles) X(edge_runs) X(edge_map) X(front_layer) X(second_layer) X(third_layer) X(layer_count) X(disc_masks) X(tile_count) \
-	X(disc_facing) X(casts) X(snap) X(depth_noise)
+	X(disc_facing) X(casts) X(snap) X(raster_snap) X(depth_noise)
 /* clang-format on */
 
 /** A linked program and where its uniforms are: -1 (which GL ignores) for absent ones. */

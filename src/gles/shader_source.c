@@ -101,11 +101,12 @@ static const struct {
 	[PROGRAM_LAYER] =
 		{
 			.name = "layer",
-			.flags = FLAG_PEEL,
+			.flags = FLAG_PEEL | FLAG_COARSE,
 			.parts =
 				{
 					{{"depth_map.vert"}},
 					{{"common_depth_step.glsl"}, {"gather_sheet.glsl"},
+						{"common_middle.glsl", FLAG_COARSE},
 						{"gather_layer.frag"}},
 				},
 		},
@@ -199,7 +200,7 @@ static const struct {
 	[PROGRAM_FIND] =
 		{
 			.name = "find",
-			.flags = FLAG_RECEIVERS | FLAG_RUNS,
+			.flags = FLAG_RECEIVERS | FLAG_RUNS | FLAG_COARSE,
 			.parts =
 				{
 					{{"copy.vert"}},
@@ -352,7 +353,7 @@ bool program_key_is_valid(struct program_key key)
 		return flags & FLAG_RECEIVERS ? receivers_are_valid(flags)
 					      : surface_is_valid(flags);
 	case PROGRAM_FIND:
-		return (flags & ~FLAG_RUNS) == FLAG_RECEIVERS;
+		return (flags & ~(FLAG_RUNS | FLAG_COARSE)) == FLAG_RECEIVERS;
 	case PROGRAM_FIN:
 		return excludes(flags, FLAG_DEPTH_ONLY,
 			       FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH) &&

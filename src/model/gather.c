@@ -26,6 +26,7 @@ struct gather {
 	uint32_t (*masks)[2]; /* of disc_mask_table(), owned */
 	void *hard;           /* state of model_hard, for a point; owned */
 	double snap;          /* by how much points of edges and sheets are moved */
+	double raster_snap;   /* and by a coarse raster grid, which the outlines of sheets follow */
 };
 
 static bool init_point(
@@ -44,13 +45,16 @@ static bool init(void *state, const struct model_light *light, struct sm_error *
 	if (light->frame.disc == 0.0f)
 		return init_point(gather, light, error);
 	gather->light.size = (int)gather_layer_size((uint32_t)gather->light.size);
+	uint32_t bits = light->snap_bits > 0 ? (uint32_t)light->snap_bits : 8;
 	const struct edge_grid_options options = {
 		.tiles = gather_tiles(light->scene, &light->frame),
 		.map_size = (uint32_t)gather->light.size,
-		.subpixel_bits = light->snap_bits > 0 ? (uint32_t)light->snap_bits : 8,
+		.subpixel_bits = bits,
+		.finer_bits = edge_finer_bits(bits),
 		.room = GATHER_ROOM,
 	};
-	gather->snap = ldexp(0.5 / gather->light.size, -(int)options.subpixel_bits);
+	gather->raster_snap = ldexp(0.5 / gather->light.size, -(int)bits);
+	gather->snap = ldexp(gather->raster_snap, -(int)options.finer_bits);
 	gather->masks = array_alloc(DISC_MASK_ANGLES * DISC_MASK_DISTANCES, sizeof(*gather->masks));
 	bool made = gather->masks != NULL &&
 		    edge_grid_find(&gather->grid, light->scene, &light->frame, &options);
@@ -341,12 +345,21 @@ static const double beside[2] = {1.0 / 128.0, 1.0 / 8192.0};
 
 /* Whether the origin is on the side of the edge's sheet: `side` is, but for `beside`, a whole
  * number of squares of the raster grid. */
-static bool has_origin(
-	const struct gather *gather, const struct end *a, const struct end *b, double side)
+static bool has_origin(const double a[2], const double b[2], double side, double snap)
 {
-	bool runs_down = a->off[1] != b->off[1] ? a->off[1] > b->off[1] : a->off[0] < b->off[0];
-	double half = 2.0 * gather->snap * gather->snap;
+	bool runs_down = a[1] != b[1] ? a[1] > b[1] : a[0] < b[0];
+	double half = 2.0 * snap * snap;
 	return side >= (runs_down ? -half : half);
+}
+
+/* Where an end is on the grid that the origin's sheets are told by, beside the receiver: of a
+ * texel, where the rasteriser has it. */
+static void find_told(const struct eye *eye, const struct end *end, double snap, double told[2])
+{
+	for (int i = 0; i < 2; i++) {
+		double at = eye->receiver->at[i];
+		told[i] = floor((at + end->off[i]) / (2.0 * snap) + 0.5) * 2.0 * snap - at;
+	}
 }
 
 /* Where the way from the origin passes an edge. A sheet begins or ends there that is before the
@@ -355,10 +368,13 @@ static void cross_edge(struct sums *sums, const struct gather *gather, const str
 	const struct origin *origin, const struct end *a, const struct end *b, int sheets)
 {
 	const struct receiver *receiver = eye->receiver;
-	double path[2];
+	double snap = origin->of_all ? gather->snap : gather->raster_snap;
+	double path[2], told_a[2], told_b[2];
 	for (int i = 0; i < 2; i++)
-		path[i] = receiver->at[i] - origin->at[i] - gather->snap * beside[i];
-	double across_a = cross(path, a->off), across_b = cross(path, b->off);
+		path[i] = receiver->at[i] - origin->at[i] - snap * beside[i];
+	find_told(eye, a, snap, told_a);
+	find_told(eye, b, snap, told_b);
+	double across_a = cross(path, told_a), across_b = cross(path, told_b);
 	if ((across_a < 0.0) == (across_b < 0.0))
 		return;
 	double share = across_a / (across_a - across_b), off[2];
@@ -366,8 +382,9 @@ static void cross_edge(struct sums *sums, const struct gather *gather, const str
 		off[i] = a->off[i] + share * (b->off[i] - a->off[i]);
 	double depth = a->depth + share * (b->depth - a->depth);
 	double before = receiver->depth + dot(origin->slope, off) - depth;
-	double side = cross(a->off, b->off), side_origin = side - across_a + across_b;
-	int begun = sheets * ((side >= 0.0) - has_origin(gather, a, b, side_origin));
+	double side_origin = cross(told_a, told_b) - across_a + across_b;
+	int begun = sheets * ((cross(a->off, b->off) >= 0.0) -
+				     has_origin(told_a, told_b, side_origin, snap));
 	if (origin->of_all || (before > eye->noise && depth < receiver->depth))
 		sums->winding += begun;
 	if (fabs(before) <= eye->noise)

@@ -3,6 +3,7 @@
 #include "base/array.h"
 #include "model/depth_map.h"
 #include "model/receiver.h"
+#include "scene/edge_grid.h"
 #include <stdlib.h>
 
 #define NOWHERE 2.0f
@@ -32,10 +33,12 @@ static bool draw_sheets(
 {
 	const struct mesh *mesh = &light->scene->meshes[object->mesh];
 	const struct caster *caster = &mesh->caster;
-	struct raster_area one_sided = model_map_area(light), both = one_sided;
+	struct raster_area one_sided = model_map_area(light), both;
 	mat4 to_clip;
 	glm_mat4_mul((vec4 *)light->frame.world_to_clip, (vec4 *)object->transform, to_clip);
 	struct sheet_rule rule = mesh_sheet_rule(mesh, (vec4 *)object->transform, to_clip);
+	one_sided.depth_stays = raster_is_coarse((uint32_t)light->snap_bits);
+	both = one_sided;
 	one_sided.kept = rule.mirrored ? RASTER_BACK : RASTER_FRONT;
 	both.kept = RASTER_ALL;
 	return model_draw_caster(

@@ -46,14 +46,24 @@ static bool is_within(const struct screen_point *point)
 	return fabs(point->x) <= CHAIN_LIMIT && fabs(point->y) <= CHAIN_LIMIT;
 }
 
+/* Rounding never leads to half way between two steps of the raster grid, where the nearer one could
+ * no longer be told. */
+static int32_t on_grid(const struct edge_chains *chains, double at)
+{
+	int32_t point = (int32_t)lrint(at), step = (int32_t)chains->raster_step;
+	if (step == 1 || (point & (step - 1)) != step / 2)
+		return point;
+	return rint(at / step) * step > point ? point + 1 : point - 1;
+}
+
 static bool append(struct edge_chains *chains, const struct screen_point *point, uint32_t sheets)
 {
 	if (!array_reserve((void **)&chains->points, &chains->point_capacity, chains->count + 1,
 		    sizeof(*chains->points)))
 		return false;
 	chains->points[chains->count++] = (struct chain_point){
-		.x = (int32_t)lrint(clamp(point->x, -CHAIN_LIMIT, CHAIN_LIMIT)),
-		.y = (int32_t)lrint(clamp(point->y, -CHAIN_LIMIT, CHAIN_LIMIT)),
+		.x = on_grid(chains, clamp(point->x, -CHAIN_LIMIT, CHAIN_LIMIT)),
+		.y = on_grid(chains, clamp(point->y, -CHAIN_LIMIT, CHAIN_LIMIT)),
 		.depth = (float)clamp(point->depth, 0.0, CHAIN_DEPTH_MAX),
 		.sheets = sheets,
 	};
@@ -207,8 +217,10 @@ bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
 	return true;
 }
 
-bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view, uint32_t screen)
+bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view, uint32_t screen,
+	uint32_t raster_step)
 {
+	chains->raster_step = raster_step;
 	size_t edge_count;
 	if (!find_edges(chains, view, &edge_count))
 		return false;

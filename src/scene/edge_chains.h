@@ -9,7 +9,7 @@
 /** Sheets that an edge is the boundary of at most. */
 #define EDGE_SHEETS_MAX 2
 
-/** On a light's screen, in steps of the raster grid from the lower left. */
+/** On a light's screen, in steps of a grid from the lower left. */
 struct chain_point {
 	int32_t x, y;    /* within CHAIN_LIMIT */
 	float depth;     /* window depth, in [0, CHAIN_DEPTH_MAX] */
@@ -48,6 +48,7 @@ struct edge_chains {
 	uint32_t *edge_from;  /* first edge of a vertex */
 	uint32_t *edge_after; /* next edge from the same vertex */
 	struct edge_clip clip;
+	uint32_t raster_step; /* of the caster that is being added */
 	size_t point_capacity, facing_capacity, back_capacity, edge_capacity, from_capacity,
 		after_capacity;
 };
@@ -58,9 +59,11 @@ void edge_chains_clear(struct edge_chains *chains);
 bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
 	const struct object *object, const struct light_frame *frame, struct caster_view *view);
 
-/** Appends the chains of a caster that edge_chains_see() set up. screen: steps of the raster grid a
- *  side. False: out of memory. */
-bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view, uint32_t screen);
+/** Appends the chains of a caster that edge_chains_see() set up. screen: steps of the grid a side;
+ *  raster_step: of the rasteriser's grid, a power of two of those. What is nearest to a point on
+ *  that is so once it is moved to the finer one. False: out of memory. */
+bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view, uint32_t screen,
+	uint32_t raster_step);
 
 /** Appends chains that were found before, of so many edges. False: out of memory. */
 bool edge_chains_keep(struct edge_chains *chains, const struct chain_point *points, size_t count,

@@ -13,11 +13,17 @@
 /* Of farthest, beyond a tile: texels of the map that a receiver in the tile may be looked up in. */
 #define CASTER_MARGIN_TEXELS 1.5f
 
+static uint32_t edge_bits(const struct edge_grid_options *options)
+{
+	return options->subpixel_bits + options->finer_bits;
+}
+
 static struct edge_raster raster_of(const struct edge_grid_options *options)
 {
 	return (struct edge_raster){
 		.tiles = options->tiles,
-		.screen = options->map_size << options->subpixel_bits,
+		.screen = options->map_size << edge_bits(options),
+		.step = 1u << options->finer_bits,
 		.margin = CASTER_MARGIN_TEXELS * (float)options->tiles / (float)options->map_size,
 	};
 }
@@ -30,7 +36,7 @@ static bool make_lists(struct edge_grid *grid, const struct light_frame *frame,
 	while (result == EDGE_LISTS_FULL) {
 		bool fewest = grid->depths.tiles <= TILES_MIN;
 		if (!edge_cover_init(&grid->cover, &grid->depths, frame, options->map_size,
-			    options->subpixel_bits))
+			    edge_bits(options)))
 			return false;
 		result = edge_lists_make(
 			&grid->lists, &grid->chains, &grid->cover, screen, options->room, fewest);

@@ -29,9 +29,17 @@ static inline int edge_tile_winding(const struct edge_tile *tile)
 /** Bits of a texel below which a raster grid is coarse: its steps show in pictures. */
 #define RASTER_BITS_FINE 6
 
+/** What they are where it is, on the grid of edges. */
+#define EDGE_BITS 8
+
 static inline bool raster_is_coarse(uint32_t subpixel_bits)
 {
 	return subpixel_bits < RASTER_BITS_FINE;
+}
+
+static inline uint32_t edge_finer_bits(uint32_t subpixel_bits)
+{
+	return raster_is_coarse(subpixel_bits) ? EDGE_BITS - subpixel_bits : 0;
 }
 
 struct edge_grid_options {
@@ -40,6 +48,7 @@ struct edge_grid_options {
 	uint32_t map_size;      /* texels a side of the layered map: margin of the lists */
 	uint32_t subpixel_bits; /* of the rasteriser: the raster grid */
 	struct edge_room room;  /* of all lists; beyond it the nearest edges win */
+	uint32_t finer_bits;    /* that the edges' grid has beyond those; edge_finer_bits() */
 };
 
 /**

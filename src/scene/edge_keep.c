@@ -100,10 +100,11 @@ static void set_aside(struct edge_keep *keep, struct edge_chains *chains)
 static bool add_chains(struct search *search, size_t index, const struct caster_view *view)
 {
 	struct edge_chains *chains = search->chains;
+	const struct edge_raster *raster = &search->keep->raster;
 	struct edge_part *part = &search->keep->parts[index];
 	size_t first = chains->count, edges = chains->edge_count;
 	bool added = search->keep->watch.objects[index].changed
-			     ? edge_chains_add(chains, view, search->keep->raster.screen)
+			     ? edge_chains_add(chains, view, raster->screen, raster->step)
 			     : edge_chains_keep(chains, search->keep->before + part->first,
 				       part->count, part->edge_count);
 	if (!added)
@@ -170,7 +171,8 @@ static bool find(struct search *search)
 
 static bool is_same_raster(const struct edge_raster *a, const struct edge_raster *b)
 {
-	return a->tiles == b->tiles && a->screen == b->screen && a->margin == b->margin;
+	return a->tiles == b->tiles && a->screen == b->screen && a->step == b->step &&
+	       a->margin == b->margin;
 }
 
 bool edge_keep_find(struct edge_keep *keep, struct edge_chains *chains, struct tile_depths *depths,

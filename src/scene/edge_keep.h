@@ -9,7 +9,8 @@
 /** How finely a light's screen is searched. */
 struct edge_raster {
 	uint32_t tiles;  /* a side */
-	uint32_t screen; /* steps of the raster grid a side */
+	uint32_t screen; /* steps of the edges' grid a side */
+	uint32_t step;   /* of the rasteriser's grid, in those */
 	float margin;    /* tiles that casters are deep beyond where they are */
 };
 

@@ -188,6 +188,7 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 		.tiles = gather_tiles(scene, frame),
 		.map_size = (uint32_t)gather->layers.depth.size,
 		.subpixel_bits = gather->subpixel_bits,
+		.finer_bits = edge_finer_bits(gather->subpixel_bits),
 		.room = GATHER_ROOM,
 	};
 	gl_push_group(&gpu->gl, "silhouettes");
@@ -347,6 +348,12 @@ static void gather_list_memory(const void *state, const struct memory_list *list
 		edge_grid_bytes(grid) - chains - keep - depths - cover);
 }
 
+/* By how much points are moved to a grid of so many bits of a texel. */
+static float half_step(const struct gather *gather, uint32_t bits)
+{
+	return 0.5f / ((float)gather->layers.depth.size * (float)(1u << bits));
+}
+
 static void gather_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program)
 {
@@ -372,7 +379,8 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 	gl->Uniform1f(program->uniform.pole, frame->pole);
 	gl->Uniform1f(program->uniform.depth_noise, gather->depth_noise);
 	gl->Uniform1f(program->uniform.snap,
-		0.5f / ((float)gather->layers.depth.size * (float)(1u << gather->subpixel_bits)));
+		half_step(gather, gather->subpixel_bits + edge_finer_bits(gather->subpixel_bits)));
+	gl->Uniform1f(program->uniform.raster_snap, half_step(gather, gather->subpixel_bits));
 	gl->Uniform1f(
 		program->uniform.disc_facing, frame->parallel ? 0.0f : 2.0f * frame->half_extent);
 	gl->Uniform1f(program->uniform.tile_count, (float)gather->grid.tiles);

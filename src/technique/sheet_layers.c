@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/sheet_layers.h"
+#include "gles/raster_grid.h"
+#include "scene/edge_grid.h"
 
 bool sheet_layers_init(
 	struct sheet_layers *layers, struct gpu *gpu, GLsizei size, struct sm_error *error)
 {
+	layers->coarse = raster_is_coarse(raster_grid_bits(gpu));
 	return target_init_shared(&layers->depth, &gpu->gl, STORAGE_LAYER_DEPTHS, size,
 		GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error);
 }
@@ -69,7 +72,9 @@ static bool draw_layer(struct sheet_layers *layers, struct gpu *gpu, const struc
 	/* Depth 2 as the bits of a float, behind all there is. */
 	static const GLuint none[4] = {0x40000000, 0, 0, 0};
 	struct gl *gl = &gpu->gl;
-	struct program_key key = {PROGRAM_LAYER, layer > 0 ? FLAG_PEEL : 0};
+	uint64_t coarse = layers->coarse ? FLAG_COARSE : 0;
+	struct program_key key = {PROGRAM_LAYER, coarse | (layer > 0 ? FLAG_PEEL : 0)};
+	float texel = 2.0f / (float)layers->depth.size;
 	const struct target *target = &layers->of[layer];
 	if (!bind_layer(layers, gl, layer, error))
 		return false;
@@ -81,6 +86,7 @@ static bool draw_layer(struct sheet_layers *layers, struct gpu *gpu, const struc
 	const struct program *program = program_use(&gpu->programs, gl, key, error);
 	if (program == NULL)
 		return false;
+	gl->Uniform2f(program->uniform.pixel_size, texel, texel);
 	if (layer > 0)
 		gpu_bind_texture(gpu, UNIT_FRONT_LAYER, layers->of[layer - 1].texture);
 	gl->Enable(GL_DEPTH_TEST);

@@ -10,6 +10,7 @@
 struct sheet_layers {
 	struct target of[GATHER_LAYERS]; /* the later ones made when there are any */
 	struct target depth;             /* what they are drawn with */
+	bool coarse;                     /* drawn on a coarse raster grid: depths are corrected */
 	int count;                       /* that the last frame has; 0: none can be kept */
 };
 

@@ -315,12 +315,16 @@ static void check_edge_grid(const struct edge_grid *grid, const struct edge_room
 /* With room for all, and for few; as finely as Mesa's drivers draw, and as coarsely as may be. */
 static void check_edges(const struct sm_scene *scene)
 {
-	static const struct edge_grid_options options[] = {
+	const struct edge_grid_options options[] = {
 		{.tiles = 128,
 			.map_size = 512,
 			.subpixel_bits = 8,
 			.room = {100000, 100000, 100000}},
-		{.tiles = 64, .map_size = 3, .subpixel_bits = 1, .room = {100, 100, 100}},
+		{.tiles = 64,
+			.map_size = 3,
+			.subpixel_bits = 1,
+			.finer_bits = edge_finer_bits(1),
+			.room = {100, 100, 100}},
 	};
 	struct light_frame frame;
 	struct edge_grid grid = {0};

@@ -125,8 +125,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_PROBE_BRANCH], 1);
 	/* No colours, or depths as floats of 32 or 16 bits, or as bytes. */
 	assert_int_equal(counts[PROGRAM_DEPTH_MAP], 4);
-	/* The front one, or what is behind it. */
-	assert_int_equal(counts[PROGRAM_LAYER], 2);
+	/* The front one, or what is behind it, on a fine raster grid or a coarse one. */
+	assert_int_equal(counts[PROGRAM_LAYER], 2 * 2);
 	assert_int_equal(counts[PROGRAM_COPY], 1);
 	/* Fewer bits than 8, as many, or more; as stored, or decoded and encoded again. */
 	assert_int_equal(counts[PROGRAM_SCREEN], 3 * 2);
@@ -163,8 +163,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	 * one on either grid, as visibility or not. */
 	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + 2 * 2 + 4 * 2);
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
-	/* Whole lists or runs. */
-	assert_int_equal(counts[PROGRAM_FIND], 2);
+	/* Whole lists or runs, on a fine raster grid or a coarse one. */
+	assert_int_equal(counts[PROGRAM_FIND], 2 * 2);
 }
 
 static void shadow_functions_come_with_the_flag_of_their_technique(void **state)

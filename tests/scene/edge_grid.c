@@ -228,6 +228,36 @@ static void short_lists_have_their_own_vertices(void **state)
 	world_finish(&world);
 }
 
+/* Of the nearest step of the coarse grid. */
+static int32_t coarse_step(int32_t at, uint32_t finer_bits)
+{
+	return (int32_t)floor(ldexp(at, -(int)finer_bits) + 0.5);
+}
+
+static void finer_edges_round_to_the_raster_grid(void **state)
+{
+	(void)state;
+	struct world coarse, fine;
+	struct edge_grid_options options = {128, MAP_SIZE, 4, ROOM, 0};
+	world_load(&coarse, "builtin:urchin", NULL, 0);
+	world_load(&fine, "builtin:urchin", NULL, 0);
+	world_find(&coarse, &options);
+	options.finer_bits = edge_finer_bits(4);
+	world_find(&fine, &options);
+	const struct edge_chains *a = &coarse.grid.chains, *b = &fine.grid.chains;
+	size_t between = 0;
+	assert_int_equal(a->count, b->count);
+	for (size_t i = 0; i < a->count; i++) {
+		assert_int_equal(a->points[i].x, coarse_step(b->points[i].x, options.finer_bits));
+		assert_int_equal(a->points[i].y, coarse_step(b->points[i].y, options.finer_bits));
+		between += b->points[i].x % 16 != 0;
+	}
+	assert_true(between > a->count / 2);
+	assert_int_equal(edge_finer_bits(8), 0);
+	world_finish(&coarse);
+	world_finish(&fine);
+}
+
 static void assert_nothing_listed(const struct world *world)
 {
 	assert_int_equal(world->grid.vertex_count, 0);
@@ -380,6 +410,7 @@ int main(void)
 		cmocka_unit_test(a_light_inside_a_caster_sees_what_is_beyond_the_near_plane),
 		cmocka_unit_test(fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long),
 		cmocka_unit_test(short_lists_have_their_own_vertices),
+		cmocka_unit_test(finer_edges_round_to_the_raster_grid),
 		cmocka_unit_test(without_casters_or_receivers_nothing_is_listed),
 		cmocka_unit_test(a_point_light_lists_edges_where_they_are),
 		cmocka_unit_test(everything_is_finite),

@@ -11,6 +11,7 @@
 #define SIDE 5 /* objects along a side of the floor */
 #define OBJECTS (SIDE * SIDE)
 #define FRAMES 300
+#define COARSE_BITS 4 /* of the raster grid, where edges are finer */
 #define VERTICES_MAX 4000
 
 static uint32_t state = 0x1234567;
@@ -116,6 +117,11 @@ static void change(struct world *world, const struct model *bent, struct edge_gr
 		options->tiles = 32u << below(3);
 	if (what == 4)
 		edge_grid_forget(&world->grid);
+	if (what == 5) {
+		options->subpixel_bits =
+			options->subpixel_bits == SUBPIXEL_BITS ? COARSE_BITS : SUBPIXEL_BITS;
+		options->finer_bits = edge_finer_bits(options->subpixel_bits);
+	}
 }
 
 /* tiles: for so many runs. */

@@ -2,6 +2,7 @@
 /* Penumbrae from silhouette edges. */
 #include "parts.h"
 #include "renderer.h"
+#include "scene/edge_grid.h"
 #include "scene/light.h"
 #include "visibility.h"
 #include <math.h>
@@ -83,13 +84,14 @@ static double sun_beside_slab(double x)
 	return 1 - (acos(s) - s * sqrt(1 - s * s)) / M_PI;
 }
 
-/* What is expected is of the ideal edge; the driver moves it to its raster grid, by half a step at
- * most along each axis of the screen. Where the disc is widest, through its middle, its share
+/* What is expected is of the ideal edge, which is moved to its grid, by half a step at most along
+ * each axis of the screen. Where the disc is widest, through its middle, its share
  * changes by 2/pi of the way in radii. The rest is arithmetic. */
 static double limit_beside_slab(const struct rig *rig, uint32_t map_size)
 {
 	struct light_frame frame;
 	uint32_t bits = rig->renderer->gpu.raster_bits;
+	bits += edge_finer_bits(bits);
 	light_frame_fit(&frame, &sun, rig->scene);
 	double step = 2 * (double)frame.half_extent / (double)(map_size << bits);
 	double radius = 1.05 * 0.32 / 5; /* of the disc as seen from the ground */
