@@ -296,10 +296,6 @@ static const struct screen_grid *gather_soft_grid(const void *state)
  * as well as in others. */
 #define LONG_LIST 48.0f
 
-/* Bits of the raster grid below which no light chooses that: points lie four pixels apart, so that
- * its steps, to which surfaces are moved, are of four times as many pixels there. */
-#define SPARSE_BITS 6
-
 /* Pixels to a triangle of the scene, below which a picture is deferred: small triangles are shaded
  * in blocks of more pixels than they have, hidden ones as well. */
 #define PIXELS_DEFERRED 16
@@ -315,8 +311,7 @@ static enum sm_sampling gather_sampling(void *state, const struct sm_scene *scen
 	float enough = deep ? WIDTH_SPARSE_DEEP : WIDTH_SPARSE;
 	bool small = (uint64_t)view->width * view->height / PIXELS_DEFERRED < view->triangles;
 	gather->scene = scene->id;
-	gather->sparse = gather->subpixel_bits >= SPARSE_BITS &&
-			 pixels > (was_sparse ? WIDTH_KEPT * enough : enough);
+	gather->sparse = pixels > (was_sparse ? WIDTH_KEPT * enough : enough);
 	enum sm_sampling chosen = gather->sampling;
 	if (gather->point)
 		return SM_SAMPLING_DENSE;
