@@ -176,6 +176,13 @@ static bool check_place(
 	return true;
 }
 
+static bool check_view(const char *source, const struct sm_camera *camera, struct sm_error *error)
+{
+	return check_place(source, "the camera's eye", camera->eye, error) &&
+	       check_place(source, "the camera's target", camera->target, error) &&
+	       check_place(source, "the tip of the camera's up", camera->up, error);
+}
+
 /** Takes a light of a model into the plan, with its place in the world. */
 static bool adopt_light(struct builder *builder, uint32_t object, const struct model_light *source,
 	struct sm_error *error)
@@ -219,7 +226,7 @@ static bool adopt_camera(struct builder *builder, uint32_t object, struct sm_err
 		glm_mat4_mulv3(world, (float *)source->up, 0, camera->up);
 	if (isnan(camera->fov))
 		camera->fov = source->fov;
-	return check_place(builder->source, "the eye of its camera", camera->eye, error);
+	return check_view(builder->source, camera, error);
 }
 
 /** The box around the casters, or around everything if nothing casts. */
@@ -435,9 +442,7 @@ bool stage_set_time(struct stage *stage, double seconds, struct sm_error *error)
 		return false;
 	struct sm_camera camera;
 	stage_motion_camera(&stage->motion, seconds, &camera);
-	if (!check_place("camera", "its eye", camera.eye, error) ||
-		!check_place("camera", "its target", camera.target, error) ||
-		!check_place("camera", "the tip of up", camera.up, error))
+	if (!check_view("animation", &camera, error))
 		return false;
 	stage->camera = camera;
 	return true;
