@@ -70,7 +70,10 @@ struct technique {
 	/** Within soft_grid(), the same for surfaces alone that are farther from the light than a
 	 *  depth; owned by the state. NULL, or returns that: for all. */
 	const struct screen_depths *(*soft_depths)(const void *state);
-	bool needs_parts; /* what no caster can reach is lit: looked up, it would not always be */
+	/** What no caster can reach is lit, which it would not always be if it were looked up:
+	 *  variances are of receivers as well, and visibility that was found before may be of
+	 *  another surface in the same pixel. */
+	bool needs_parts;
 	bool soft_is_all; /* elsewhere nothing is darkened at all */
 	/** Chooses, once a frame and light, for which pixels visibility is found, and when
 	 *  (src/sparse_pass.h, src/deferred_pass.h). NULL: for each, with its surface. */

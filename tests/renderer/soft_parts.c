@@ -440,7 +440,16 @@ static const struct sm_shadow_options far_reaching[] = {
 	{.technique = "pcss", .map_size = 256},
 	{.technique = "vsm", .samples = 9, .map_size = 64},
 	{.technique = "maps", .samples = 4, .map_size = 256},
+	{.technique = "gather", .map_size = 256, .sampling = SM_SAMPLING_DENSE},
+	{.technique = "gather", .map_size = 256, .sampling = SM_SAMPLING_SPARSE},
 };
+
+static const struct screen_grid *no_penumbra(const void *state)
+{
+	static const struct screen_grid none;
+	(void)state;
+	return &none;
+}
 
 static float no_reach(const void *state, const struct light_frame *frame)
 {
@@ -462,13 +471,15 @@ static size_t count_missed(struct rig *rig, const struct sm_camera *camera)
 	return missed;
 }
 
-/* Pixels that would be missed if the technique were thought to reach no farther than casters. */
+/* Pixels that would be missed if the technique were thought to reach no farther than casters, or to
+ * have no penumbrae where it tells itself where they are. */
 static size_t check_reach(struct rig *rig)
 {
 	const struct technique *technique = rig->renderer->shadows.technique;
 	struct technique near_sighted = *technique;
 	size_t beyond = 0;
 	near_sighted.reach = no_reach;
+	near_sighted.soft_grid = technique->soft_grid != NULL ? no_penumbra : NULL;
 	for (size_t i = 0; i < LIGHTS * VIEWS; i++) {
 		const struct sm_camera *camera = &views[i / LIGHTS].camera;
 		struct sm_light_desc light = lights[i % LIGHTS];
