@@ -11,6 +11,7 @@
 #define FACE_CORNERS_MAX 32
 /* Of all faces, and of the view. */
 #define PART_CORNERS_MAX (6 * FACE_CORNERS_MAX + 8)
+_Static_assert(PART_CORNERS_MAX <= VIEW_PART_CORNERS_MAX, "room for a part");
 
 /* Where the planes w = s[axis] p[axis] of clip space meet, by Cramer's rule. */
 static void find_corner(mat4 m, const int s[3], vec3 corner)
@@ -128,6 +129,18 @@ static int cut_box(
 	return count;
 }
 
+static struct solid solid_of(const struct view_volume *volume)
+{
+	return (struct solid){volume->sides, 6, volume->corners, 8};
+}
+
+int view_volume_cut(const struct view_volume *volume, const struct object *object,
+	vec3 part[VIEW_PART_CORNERS_MAX])
+{
+	const struct solid view = solid_of(volume);
+	return cut_box(&view, object, part);
+}
+
 /* Whether the part of an object's box that is in one solid is beside one side of the other. */
 static bool are_apart(const struct solid *a, const struct solid *b, const struct object *object)
 {
@@ -191,7 +204,7 @@ static bool may_show(const struct sm_light_desc *light, const struct light_frame
 	const struct object *object, const struct view_volume *volume)
 {
 	static const struct solid all;
-	const struct solid view = {volume->sides, 6, volume->corners, 8};
+	const struct solid view = solid_of(volume);
 	vec4 sides[5];
 	if (light->type == SM_LIGHT_DIRECTIONAL)
 		return !are_apart(&view, &all, object);

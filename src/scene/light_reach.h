@@ -13,6 +13,14 @@ struct view_volume {
 
 void view_volume_init(struct view_volume *volume, mat4 world_to_clip);
 
+/** Most corners of the part of a box that is in a view. */
+#define VIEW_PART_CORNERS_MAX 200
+
+/** Corners of the convex part of an object's box that is in the view: their number. They are NaN
+ *  where the view has no end there. */
+int view_volume_cut(const struct view_volume *volume, const struct object *object,
+	vec3 part[VIEW_PART_CORNERS_MAX]);
+
 /**
  * A bound on what a light adds to the colour of a pixel in the view, linear: 0 where nothing that
  * is seen lies in a spot's cone. Textures have no more than 1. The search ends where the bound is

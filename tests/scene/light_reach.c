@@ -3,6 +3,7 @@
 #include "scene/light_reach.h"
 #include "scene/camera.h"
 #include "scene/fin_set.h"
+#include "scene/seen_cells.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <string.h>
@@ -226,6 +227,97 @@ static void test_what_a_screen_shows_is_in_its_box(void **unused)
 	assert_true(whole > 0 && whole < ROUNDS / 2 && inside > ROUNDS / 20);
 }
 
+/* Whether a light looks a point up in cells of its screen, and there are none there. */
+static bool is_missed(
+	const struct screen_grid *cells, const struct light_frame *frame, const vec3 point)
+{
+	vec4 p = {point[0], point[1], point[2], 1};
+	glm_mat4_mulv((vec4 *)frame->world_to_clip, p, p);
+	float x = p[0] / p[3], y = p[1] / p[3];
+	if ((!frame->parallel && p[3] < frame->near) || fabsf(x) > 1 || fabsf(y) > 1)
+		return false;
+	const float at[2] = {x, y};
+	return !screen_grid_touches(cells, at, at);
+}
+
+static int count_cells(const struct screen_grid *cells)
+{
+	int count = 0;
+	for (int row = 0; row < SCREEN_GRID_SIZE; row++)
+		for (int x = 0; x < SCREEN_GRID_SIZE; x++)
+			count += screen_grid_has(cells, x, row);
+	return count;
+}
+
+static void test_what_is_seen_is_in_marked_cells(void **unused)
+{
+	(void)unused;
+	double all = 0;
+	int none = 0, some = 0;
+	state = 0x5772156;
+	for (int round = 0; round < ROUNDS; round++) {
+		struct sm_scene *scene = random_scene();
+		struct sm_light_desc light = random_light();
+		struct light_frame frame;
+		struct view_volume volume;
+		struct screen_grid cells;
+		mat4 world_to_clip;
+		random_view(scene, world_to_clip);
+		scene->objects[2].receives = round % 2 == 0;
+		light_frame_init(&frame, &light, scene);
+		view_volume_init(&volume, world_to_clip);
+		seen_cells_find(&cells, scene, &frame, &volume, 0);
+		for (int i = 0; i < BOXES * POINTS; i++) {
+			vec3 point;
+			point_of(&scene->objects[i % BOXES], point);
+			if (scene->objects[i % BOXES].receives &&
+				is_on_screen(world_to_clip, point) &&
+				is_missed(&cells, &frame, point))
+				fail_msg("round %d: nothing marked for point %d", round, i);
+		}
+		int count = count_cells(&cells);
+		all += count;
+		none += count == 0;
+		some += count > 0 && count < SCREEN_GRID_SIZE * SCREEN_GRID_SIZE / 2;
+		sm_scene_destroy(scene);
+	}
+	print_message("%d of %d mark none, %d less than half, %.0f in the mean\n", none, ROUNDS,
+		some, all / ROUNDS);
+	assert_true(none > ROUNDS / 10 && some > ROUNDS / 4);
+}
+
+/* A square floor, seen all of: its own cells and those around, no more. */
+static void test_cells_are_marked_no_farther_than_asked(void **unused)
+{
+	(void)unused;
+	static const float cell = 2.0f / SCREEN_GRID_SIZE;
+	struct sm_scene *scene = sm_scene_create();
+	struct sm_object_desc floor = {
+		.transform = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+		.image = SM_NONE,
+		.receives = true};
+	const struct sm_light_desc light = {.position = {0, 4, 0}, .angle = 90};
+	struct sm_camera camera = {.eye = {0, 9, 0}, .up = {0, 0, 1}, .fov = 60};
+	struct light_frame frame;
+	struct view_volume volume;
+	mat4 world_to_clip;
+	uint32_t handle;
+	floor.mesh = add_cube(scene);
+	assert_true(sm_scene_add_object(scene, &floor, &handle, NULL));
+	assert_true(camera_world_to_clip(&camera, scene, 4, 4, world_to_clip, NULL));
+	light_frame_init(&frame, &light, scene);
+	view_volume_init(&volume, world_to_clip);
+	/* The floor is a quarter of the screen wide, in whole cells. */
+	for (int margin = 0; margin < 5; margin++) {
+		struct screen_grid cells;
+		int side = SCREEN_GRID_SIZE / 4 + 2 * margin;
+		seen_cells_find(&cells, scene, &frame, &volume, ((float)margin - 0.5f) * cell);
+		assert_true(count_cells(&cells) <= side * side);
+		assert_true(count_cells(&cells) > (side - 2) * (side - 2));
+	}
+	sm_scene_destroy(scene);
+}
+
 /* Whether the rectangle around a quad touches the screen. */
 static bool quad_is_on_screen(const struct fin_vertex *quad)
 {
@@ -288,6 +380,8 @@ int main(void)
 		cmocka_unit_test(test_no_point_is_brighter_than_the_bound),
 		cmocka_unit_test(test_nothing_that_misses_a_screen_is_on_it),
 		cmocka_unit_test(test_what_a_screen_shows_is_in_its_box),
+		cmocka_unit_test(test_what_is_seen_is_in_marked_cells),
+		cmocka_unit_test(test_cells_are_marked_no_farther_than_asked),
 		cmocka_unit_test(test_fins_on_the_screen_are_all_there),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
