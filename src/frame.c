@@ -220,6 +220,7 @@ static bool draw_shadows(
 		.width = pass->width,
 		.height = pass->height,
 		.visibility = pass->flags & FLAG_VISIBILITY,
+		.multisampled = pass->multisampled,
 		/* Found out on first use, by drawing, before there is any state. */
 		.deferrable = gpu_has(&renderer->gpu, CAP_DEPTH_FETCH),
 		.triangles = count_triangles(pass->scene)};

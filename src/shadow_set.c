@@ -2,6 +2,7 @@
 #include "shadow_set.h"
 #include "base/array.h"
 #include "exact_pass.h"
+#include "scene/seen_cells.h"
 #include "technique/depth_map.h"
 #include <stdlib.h>
 
@@ -241,6 +242,36 @@ static bool add_shadow(
 	return true;
 }
 
+/* Texels that a surface looks up around itself, and what rasterisers snap by, with some to spare.
+ */
+#define TEXELS_AROUND 3.0f
+
+/* Where on the light's screen something may be looked up. Several samples of a pixel share what one
+ * of them is looked up for, which may lie beside the surface. */
+static void find_seen(struct screen_grid *seen, const struct shadow_set *set,
+	const struct shadow_request *request, float reach)
+{
+	struct view_volume volume;
+	float texels = TEXELS_AROUND * 2.0f / (float)set->options.map_size;
+	if (request->view->multisampled) {
+		screen_grid_fill(seen);
+		return;
+	}
+	view_volume_init(&volume, request->view->world_to_clip);
+	seen_cells_find(seen, request->local->scene, request->frame, &volume, reach + texels);
+}
+
+/* Whether what was left out of the shadow is in view now: then it will not be again, so that a
+ * camera that moves on meets that once. seen: NULL: it is all. */
+static bool lacks_casters(
+	const struct object_watch *casters, struct gpu *gpu, const struct screen_grid *seen)
+{
+	size_t count = casters->left_out_count;
+	bool lacks = count > 0 && (seen == NULL || object_watch_lacks(casters, seen));
+	skip_count(&gpu->skips, SKIP_VOLUME, count, lacks ? 0 : count);
+	return lacks;
+}
+
 static bool draw(const struct technique *technique, void *state, struct gpu *gpu,
 	const struct shadow_request *request, struct sm_error *error)
 {
@@ -251,28 +282,71 @@ static bool draw(const struct technique *technique, void *state, struct gpu *gpu
 		       : technique->prepare(state, gpu, scene, request->frame, error);
 }
 
+/* The same without the casters that are beside what is seen; NULL: with all. */
+static bool draw_seen(const struct technique *technique, void *state, struct gpu *gpu,
+	const struct shadow_request *request, struct object_watch *casters,
+	const struct screen_grid *seen, struct sm_error *error)
+{
+	if (casters == NULL)
+		return draw(technique, state, gpu, request, error);
+	casters->seen = seen;
+	bool drawn = draw(technique, state, gpu, request, error);
+	casters->seen = NULL;
+	skip_count(&gpu->skips, SKIP_VOLUME, casters->seen_tested, casters->seen_left_out);
+	return drawn;
+}
+
+/* same: what is drawn is as it would be, but for what the view that it was drawn for left out. */
+static bool draw_changes(struct shadow_set *set, struct gpu *gpu, struct light_shadow *shadow,
+	const struct shadow_request *request, bool same, struct sm_error *error)
+{
+	const struct technique *technique = set->technique;
+	struct object_watch *casters = NULL;
+	struct screen_grid cells, *seen = NULL;
+	float reach;
+	if (technique->casters != NULL)
+		casters = technique->casters(shadow->state, request->frame, &reach);
+	bool complete = casters == NULL || (same && casters->left_out_count == 0);
+	if (!complete && !gpu->skips.off[SKIP_VOLUME]) {
+		find_seen(&cells, set, request, reach);
+		seen = &cells;
+	}
+	bool lacks = same && !complete && lacks_casters(casters, gpu, seen);
+	if (skip_take(&gpu->skips, SKIP_LIGHT, same && !lacks))
+		return true;
+	shadow->mapped = false;
+	shadow->drawn = draw_seen(
+		technique, shadow->state, gpu, request, casters, lacks ? NULL : seen, error);
+	return shadow->drawn;
+}
+
+/* Makes the shadow's state when first it is needed. */
+static struct light_shadow *take_shadow(
+	struct shadow_set *set, struct gpu *gpu, size_t index, struct sm_error *error)
+{
+	if (!reserve_shadow(set, index)) {
+		error_no_memory(error);
+		return NULL;
+	}
+	if (set->shadows[index] == NULL && !add_shadow(set, gpu, index, error))
+		return NULL;
+	return set->shadows[index];
+}
+
 static struct light_shadow *prepare(struct shadow_set *set, struct gpu *gpu,
 	const struct shadow_request *request, struct sm_error *error)
 {
 	const struct technique *technique = set->technique;
-	if (!reserve_shadow(set, request->index)) {
-		error_no_memory(error);
+	struct light_shadow *shadow = take_shadow(set, gpu, request->index, error);
+	if (shadow == NULL)
 		return NULL;
-	}
-	if (set->shadows[request->index] == NULL && !add_shadow(set, gpu, request->index, error))
-		return NULL;
-	struct light_shadow *shadow = set->shadows[request->index];
 	struct light_key key =
 		light_key_of(technique, request->local, request->frame, request->view);
 	bool changed = technique->choose != NULL &&
 		       technique->choose(shadow->state, gpu, request->local->scene, request->frame);
 	bool same = !changed && shadow->drawn && light_key_is_same(&shadow->key, &key);
-	if (skip_take(&gpu->skips, SKIP_LIGHT, same))
-		return shadow;
 	shadow->key = key;
-	shadow->mapped = false;
-	shadow->drawn = draw(technique, shadow->state, gpu, request, error);
-	return shadow->drawn ? shadow : NULL;
+	return draw_changes(set, gpu, shadow, request, same, error) ? shadow : NULL;
 }
 
 struct light_shadow *shadow_set_prepare(struct shadow_set *set, struct gpu *gpu,

@@ -12,6 +12,7 @@ static const struct {
 	[SKIP_CASTER] = {"caster", "an object that is beside a light's screen"},
 	[SKIP_RECEIVER] = {"receiver",
 		"all but a hard shadow, or light itself, on what no penumbra can reach"},
+	[SKIP_VOLUME] = {"volume", "an object whose shadow volume misses the view"},
 	[SKIP_VIEW] = {"view", "a light that reaches nothing in the view"},
 	[SKIP_DIM] = {"dim", "a light, after the first, that adds less than rounding takes away"},
 	[SKIP_POINTS] = {"points", "a light's visibility at points of a view that stays the same"},

@@ -10,8 +10,9 @@ bool fin_shape_has_width(const struct fin_shape *shape, const struct light_frame
 	return shape->width != 0.0f || frame->disc != 0.0f;
 }
 
-static struct fin_params fin_params_of(const struct light_frame *frame, const struct object *object,
-	const struct fin_shape *shape, uint32_t map_size)
+/* Of fins of whatever object. */
+static struct fin_params fin_params_of(
+	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size)
 {
 	float texel = 2.0f / (float)map_size;
 	struct fin_params params = {
@@ -19,11 +20,7 @@ static struct fin_params fin_params_of(const struct light_frame *frame, const st
 		.finest = shape->both_sides ? 0.0f : 0.5f * texel,
 		.apron = shape->apron * texel,
 		.both_sides = shape->both_sides,
-		.mirrored = glm_mat4_det((vec4 *)object->transform) < 0.0f,
 	};
-	mat4 to_clip;
-	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
-	memcpy(params.object_to_clip, to_clip, sizeof(params.object_to_clip));
 	if (shape->width > 0.0f) {
 		params.width = FIN_WIDTH_CONSTANT;
 		params.scale = 2.0f * shape->width; /* the screen is two units of NDC wide */
@@ -34,6 +31,15 @@ static struct fin_params fin_params_of(const struct light_frame *frame, const st
 	if (frame->parallel)
 		params.scale *= frame->far - frame->near;
 	return params;
+}
+
+static void place_object(
+	struct fin_params *params, const struct light_frame *frame, const struct object *object)
+{
+	mat4 to_clip;
+	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
+	memcpy(params->object_to_clip, to_clip, sizeof(params->object_to_clip));
+	params->mirrored = glm_mat4_det((vec4 *)object->transform) < 0.0f;
 }
 
 static bool reserve_tracks(struct fin_set *set, size_t count)
@@ -93,6 +99,13 @@ static float fin_reach(const struct fin_params *params, const struct light_frame
 	return 1.5f * (widest + params->apron);
 }
 
+float fin_shape_reach(
+	const struct fin_shape *shape, const struct light_frame *frame, uint32_t map_size)
+{
+	const struct fin_params params = fin_params_of(frame, shape, map_size);
+	return fin_reach(&params, frame);
+}
+
 /* Appends the fins of one caster. */
 static bool add_caster(struct fin_set *set, struct silhouette_track *track,
 	const struct caster *caster, const struct light_frame *frame, const struct object *object,
@@ -123,19 +136,21 @@ struct fin_search {
 	bool on_screen;
 };
 
-static bool make_part(struct fin_set *set, const struct fin_search *search, size_t index)
+static bool make_part(
+	struct fin_set *set, const struct fin_search *search, size_t index, bool left_out)
 {
 	const struct object *object = &search->scene->objects[index];
 	struct fin_part *part = &set->parts[index];
 	const struct light_frame *frame = search->frame;
 	const struct mesh *mesh = &search->scene->meshes[object->mesh];
 	*part = (struct fin_part){.first = set->vertex_count,
-		.casts = object->casts,
+		.casts = object->casts && !left_out,
 		.fresh = true,
 		.box = screen_box_none()};
-	if (!object->casts)
+	if (!part->casts)
 		return true;
-	struct fin_params params = fin_params_of(frame, object, search->shape, search->map_size);
+	struct fin_params params = fin_params_of(frame, search->shape, search->map_size);
+	place_object(&params, frame, object);
 	part->missing = search->on_screen &&
 			mesh_misses_screen(mesh, (vec4 *)object->transform,
 				(vec4 *)frame->world_to_clip, fin_reach(&params, frame), false);
@@ -186,7 +201,7 @@ static bool find_part(struct fin_set *set, const struct fin_search *search, size
 		return keep_part(set, part);
 	if (known)
 		screen_box_add(changed, &part->box);
-	if (!make_part(set, search, index))
+	if (!make_part(set, search, index, watch != NULL && watch->objects[index].left_out))
 		return false;
 	screen_box_add(changed, &part->box);
 	set->caster_count += part->casts;

@@ -24,6 +24,10 @@ struct fin_shape {
 /** A point light has no penumbra, unless the shape gives it one. */
 bool fin_shape_has_width(const struct fin_shape *shape, const struct light_frame *frame);
 
+/** A bound on how far from a silhouette fins go on the light's screen, NDC. */
+float fin_shape_reach(
+	const struct fin_shape *shape, const struct light_frame *frame, uint32_t map_size);
+
 /** The fins of one object. */
 struct fin_part {
 	size_t first, count; /* vertices */
@@ -63,7 +67,8 @@ bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
 	bool on_screen);
 
 /** The same, but for objects that have not changed keeps the fins of the last search, which was for
- *  the same shape and size. watch: on casters, looked at once since then. changed: widened to where
+ *  the same shape and size. watch: on casters, looked at once since then; those that it leaves out
+ *  have none. changed: widened to where
  *  fins were, or are, that were not kept. */
 bool fin_set_update(struct fin_set *set, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size,

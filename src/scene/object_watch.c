@@ -28,27 +28,59 @@ static bool is_as_before(const struct watched_object *before, const struct objec
 	       memcmp(before->transform, object->transform, sizeof(before->transform)) == 0;
 }
 
+/* Middle of the outermost cell. */
+#define LAST_CELL (1.0f - 1.0f / SCREEN_GRID_SIZE)
+
+/* Whether what is in one of the cells may depend on an object that is here on the screen; beside
+ * that, the nearest cells count: what it throws may reach into them. */
+static bool is_seen(const struct screen_grid *seen, const struct screen_box *box)
+{
+	float min[2], max[2];
+	for (int axis = 0; axis < 2; axis++) {
+		min[axis] = fminf(fmaxf(box->min[axis], -LAST_CELL), LAST_CELL);
+		max[axis] = fminf(fmaxf(box->max[axis], -LAST_CELL), LAST_CELL);
+	}
+	return screen_grid_touches(seen, min, max);
+}
+
 /* before: NULL for an object that was not known. */
-static struct watched_object look_at(const struct watched_object *before,
-	const struct sm_scene *scene, const struct light_frame *frame, const struct object *object,
-	bool shown, struct screen_box *changed)
+static struct watched_object look_at(const struct object_watch *watch,
+	const struct watched_object *before, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct object *object, bool shown)
 {
 	struct watched_object now = {
 		.version = object->version, .box = screen_box_none(), .shown = shown};
-	if (before != NULL && is_as_before(before, object)) {
+	bool same = before != NULL && is_as_before(before, object);
+	if (same)
 		now = *before;
-		now.changed = false;
+	now.changed = !same;
+	if (same && !before->left_out)
 		return now;
-	}
-	now.changed = true;
 	glm_mat4_copy((vec4 *)object->transform, now.transform);
-	if (shown)
+	if (shown && !same)
 		mesh_screen_box(&scene->meshes[object->mesh], now.transform,
 			(vec4 *)frame->world_to_clip, &now.box);
-	if (before != NULL)
-		screen_box_add(changed, &before->box);
-	screen_box_add(changed, &now.box);
+	now.left_out = shown && watch->seen != NULL && !is_seen(watch->seen, &now.box);
+	now.changed = !same || !now.left_out;
 	return now;
+}
+
+static void look_again(struct object_watch *watch, size_t index, bool known,
+	const struct sm_scene *scene, const struct light_frame *frame, bool shown,
+	struct screen_box *changed)
+{
+	struct watched_object *object = &watch->objects[index];
+	struct watched_object now =
+		look_at(watch, known ? object : NULL, scene, frame, &scene->objects[index], shown);
+	bool tested = shown && watch->seen != NULL && (now.changed || now.left_out);
+	if (known && now.changed && !object->left_out)
+		screen_box_add(changed, &object->box);
+	if (now.changed && !now.left_out)
+		screen_box_add(changed, &now.box);
+	watch->left_out_count += now.left_out;
+	watch->seen_tested += tested;
+	watch->seen_left_out += tested && now.left_out;
+	*object = now;
 }
 
 bool object_watch_look(struct object_watch *watch, const struct sm_scene *scene,
@@ -63,13 +95,21 @@ bool object_watch_look(struct object_watch *watch, const struct sm_scene *scene,
 	if (!array_reserve((void **)&watch->objects, &watch->capacity, scene->object_count,
 		    sizeof(*watch->objects)))
 		return false;
-	for (size_t i = 0; i < scene->object_count; i++) {
-		const struct object *object = &scene->objects[i];
-		watch->objects[i] = look_at(i < count ? &watch->objects[i] : NULL, scene, frame,
-			object, shows(object), changed);
-	}
+	watch->left_out_count = watch->seen_tested = watch->seen_left_out = 0;
+	for (size_t i = 0; i < scene->object_count; i++)
+		look_again(watch, i, i < count, scene, frame, shows(&scene->objects[i]), changed);
 	watch->count = scene->object_count;
 	watch->frame = *frame;
 	watch->scene = scene->id;
 	return true;
+}
+
+bool object_watch_lacks(const struct object_watch *watch, const struct screen_grid *seen)
+{
+	for (size_t i = 0; i < watch->count && watch->left_out_count > 0; i++) {
+		const struct watched_object *object = &watch->objects[i];
+		if (object->left_out && is_seen(seen, &object->box))
+			return true;
+	}
+	return false;
 }

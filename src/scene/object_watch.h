@@ -4,6 +4,7 @@
 
 #include "base/memory_list.h"
 #include "geom/screen_box.h"
+#include "geom/screen_grid.h"
 #include "scene/light.h"
 
 /** An object as it was when it was last looked at. */
@@ -12,6 +13,7 @@ struct watched_object {
 	mat4 transform; /* the same version has another where the scene is counted from elsewhere */
 	struct screen_box box; /* on the light's screen */
 	bool shown;            /* is one of those that are watched */
+	bool left_out;         /* though it is: nothing looks up where it is on the screen */
 	bool changed;          /* since it was looked at before */
 };
 
@@ -22,6 +24,11 @@ struct object_watch {
 	struct light_frame frame;
 	struct watched_object *objects; /* owned */
 	size_t count, capacity;
+	/* For the caller to set: cells of the screen beside which nothing is looked up, for the
+	 * next looks; not owned. NULL: all may be. */
+	const struct screen_grid *seen;
+	size_t left_out_count;
+	size_t seen_tested, seen_left_out; /* of the last look: objects tested, and left out */
 };
 
 void object_watch_finish(struct object_watch *watch);
@@ -33,9 +40,14 @@ void object_watch_list_memory(const struct object_watch *watch, const struct mem
 
 /** Looks at the objects, of which those count that `shows` is true for. changed: set to a bound on
  *  where on the light's screen they, before or now, show otherwise than at the last look; all of
- *  it, if the light is another, or nothing is known. False: out of memory, and nothing is known. */
+ *  it, if the light is another, or nothing is known. Those beside what is seen are left out, but
+ *  for what is shown and has not changed; one that was, and is not any more, has changed. False:
+ * out of memory, and nothing is known. */
 bool object_watch_look(struct object_watch *watch, const struct sm_scene *scene,
 	const struct light_frame *frame, bool (*shows)(const struct object *),
 	struct screen_box *changed);
+
+/** Whether an object that is left out touches one of these cells of the screen. */
+bool object_watch_lacks(const struct object_watch *watch, const struct screen_grid *seen);
 
 #endif

@@ -118,6 +118,13 @@ static enum sm_sampling auto_sampling(void *state, const struct sm_scene *scene,
 		       : SM_SAMPLING_DENSE;
 }
 
+static struct object_watch *auto_casters(void *state, const struct light_frame *frame, float *reach)
+{
+	struct choice *choice = state;
+	void *picked = choice->states[choice->pick];
+	return picked != NULL ? picks[choice->pick]->casters(picked, frame, reach) : NULL;
+}
+
 static void auto_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct choice *choice = state;
@@ -155,6 +162,7 @@ const struct technique technique_auto = {
 	.soft_is_all = true,
 	.sampling = auto_sampling,
 	.fits_screen = true,
+	.casters = auto_casters,
 	.list_memory = auto_list_memory,
 	.bind = auto_bind,
 };

@@ -147,6 +147,8 @@ bool depth_map_is_drawn(struct gpu *gpu, const struct sm_scene *scene, size_t in
 	const struct light_frame *frame, const struct depth_map_redraw *redraw)
 {
 	const struct object *object = &scene->objects[index];
+	if (redraw != NULL && redraw->watch->objects[index].left_out)
+		return false;
 	if (redraw != NULL &&
 		skip_take(&gpu->skips, SKIP_STATIC,
 			!screen_box_touches(&redraw->watch->objects[index].box, &redraw->reach)))
@@ -216,10 +218,17 @@ static bool fill(struct gpu *gpu, const struct sm_scene *scene, const struct lig
 }
 
 bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
-	enum depth_map_content content, uint64_t write, struct target_area area,
+	const struct object_watch *watch, uint64_t write, struct target_area area,
 	struct sm_error *error)
 {
-	return fill(gpu, scene, frame, content, write, area, NULL, error);
+	const struct depth_map_redraw all = {watch, screen_box_all()};
+	return fill(gpu, scene, frame, DEPTH_OF_CASTERS, write, area, &all, error);
+}
+
+bool depth_map_look_at_casters(struct object_watch *watch, const struct sm_scene *scene,
+	const struct light_frame *frame, struct screen_box *changed, struct sm_error *error)
+{
+	return object_watch_look(watch, scene, frame, is_caster, changed) || error_no_memory(error);
 }
 
 void depth_map_forget(struct depth_map *map)
@@ -255,8 +264,8 @@ bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scen
 	if (gpu->skips.off[SKIP_STATIC] || map->failures != gpu->failures)
 		depth_map_forget(map);
 	map->failures = gpu->failures;
-	if (!object_watch_look(&map->watch, scene, frame, is_caster, changed))
-		return error_no_memory(error);
+	if (!depth_map_look_at_casters(&map->watch, scene, frame, changed, error))
+		return false;
 	if (screen_box_is_none(changed))
 		return true;
 	const struct depth_map_redraw redraw = {

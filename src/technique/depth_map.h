@@ -61,7 +61,7 @@ struct depth_map_redraw {
 };
 
 /** Whether an object is drawn: some of it may be on the light's screen and, unless redraw is
- *  NULL, there. */
+ *  NULL, there, and it is not left out. */
 bool depth_map_is_drawn(struct gpu *gpu, const struct sm_scene *scene, size_t index,
 	const struct light_frame *frame, const struct depth_map_redraw *redraw);
 
@@ -99,10 +99,15 @@ void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct l
 /** A sampler that compares, for the caller to delete. */
 GLuint depth_map_create_sampler(struct gpu *gpu, enum depth_map_filter filter);
 
-/** Clears the framebuffer that is bound, where nothing restricts that, and draws the objects into
- *  an area of it, restricted no more after that. write: flags of PROGRAM_DEPTH_MAP. */
+/** Has the watch, on casters, say which of them are left out, and where others have changed. */
+bool depth_map_look_at_casters(struct object_watch *watch, const struct sm_scene *scene,
+	const struct light_frame *frame, struct screen_box *changed, struct sm_error *error);
+
+/** Clears the framebuffer that is bound, where nothing restricts that, and draws the casters into
+ *  an area of it, restricted no more after that. watch: has been looked at. write: flags of
+ *  PROGRAM_DEPTH_MAP. */
 bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
-	enum depth_map_content content, uint64_t write, struct target_area area,
+	const struct object_watch *watch, uint64_t write, struct target_area area,
 	struct sm_error *error);
 
 /** Sets the uniforms of shadow_receiver.glsl for maps of `texels` a side. */

@@ -261,6 +261,12 @@ void fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct 
 	gpu->stats.uploaded_bytes += used * size;
 }
 
+float fin_stream_reach(
+	const struct fin_shape *shape, const struct light_frame *frame, GLsizei map_size)
+{
+	return fin_shape_reach(shape, frame, (uint32_t)map_size) + 2.0f * 2.0f / (float)map_size;
+}
+
 float fin_stream_spread(const struct light_frame *frame, GLsizei map_size)
 {
 	return (float)map_size * disc_scale(frame);

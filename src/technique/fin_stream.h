@@ -48,6 +48,11 @@ bool fin_stream_prepare(struct fin_stream *stream, struct gpu *gpu, const struct
 void fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct target *target,
 	const struct screen_box *part);
 
+/** How far, NDC, from a texel casters may be that what fins leave there depends on: as far as these
+ *  go, and for the surface that they look up beside their silhouette two texels more. */
+float fin_stream_reach(
+	const struct fin_shape *shape, const struct light_frame *frame, GLsizei map_size);
+
 /** Half the width of a penumbra, in texels, over the difference of blocker and receiver in window
  *  depth: for a spot R (1/b - 1/r) is proportional to that as well. */
 float fin_stream_spread(const struct light_frame *frame, GLsizei map_size);

@@ -328,6 +328,15 @@ static void gather_leave(void *state)
 	gather->scene = 0;
 }
 
+/* A point's alone: lists of edges, and what is chosen by how long they are, are of all casters. */
+static struct object_watch *gather_casters(
+	void *state, const struct light_frame *frame, float *reach)
+{
+	struct gather *gather = state;
+	*reach = 0.0f;
+	return frame->disc == 0.0f ? &gather->hard.watch : NULL;
+}
+
 static void gather_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct gather *gather = state;
@@ -397,6 +406,7 @@ const struct technique technique_gather = {
 	.needs_parts = true,
 	.soft_is_all = true,
 	.sampling = gather_sampling,
+	.casters = gather_casters,
 	.list_memory = gather_list_memory,
 	.bind = gather_bind,
 };

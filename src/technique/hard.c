@@ -31,6 +31,14 @@ static uint64_t hard_surface_flags(const void *state)
 	return FLAG_HARD;
 }
 
+static struct object_watch *hard_casters(void *state, const struct light_frame *frame, float *reach)
+{
+	(void)frame;
+	struct hard *hard = state;
+	*reach = 0.0f;
+	return &hard->map.watch;
+}
+
 static void hard_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct hard *hard = state;
@@ -52,6 +60,7 @@ const struct technique technique_hard = {
 	.finish = hard_finish,
 	.prepare = hard_prepare,
 	.surface_flags = hard_surface_flags,
+	.casters = hard_casters,
 	.list_memory = hard_list_memory,
 	.bind = hard_bind,
 };

@@ -8,6 +8,7 @@ struct maps {
 	struct target layers;
 	struct target plain; /* depths as colours, where they are read without comparing; or zero */
 	GLuint compare;      /* sampler: LEQUAL */
+	struct object_watch watch; /* on casters, that some may be left out */
 	struct disc disc;
 	uint64_t write, surface_flags;
 };
@@ -36,6 +37,7 @@ static bool maps_init(void *state, struct gpu *gpu, const struct sm_shadow_optio
 static void maps_finish(void *state, struct gpu *gpu)
 {
 	struct maps *maps = state;
+	object_watch_finish(&maps->watch);
 	gl_delete_sampler(&gpu->gl, &maps->compare);
 	target_finish(&maps->plain, &gpu->gl);
 	target_finish(&maps->layers, &gpu->gl);
@@ -56,12 +58,16 @@ static bool maps_prepare(void *state, struct gpu *gpu, const struct sm_scene *sc
 	const struct light_frame *frame, struct sm_error *error)
 {
 	struct maps *maps = state;
+	struct screen_box changed; /* all */
 	bool drawn = true;
+	object_watch_forget(&maps->watch);
+	if (!depth_map_look_at_casters(&maps->watch, scene, frame, &changed, error))
+		return false;
 	gl_push_group(&gpu->gl, "shadow maps");
 	for (GLsizei i = 0; i < maps->disc.count && drawn; i++) {
 		struct light_frame sheared = disc_frame(frame, maps->disc.points[i]);
 		bind_layer(maps, &gpu->gl, i);
-		drawn = depth_map_fill(gpu, scene, &sheared, DEPTH_OF_CASTERS, maps->write,
+		drawn = depth_map_fill(gpu, scene, &sheared, &maps->watch, maps->write,
 			target_inside(&maps->layers), error);
 	}
 	gl_pop_group(&gpu->gl);
@@ -79,6 +85,19 @@ static float maps_reach(const void *state, const struct light_frame *frame)
 {
 	(void)state;
 	return 2.0f * disc_scale(frame);
+}
+
+static struct object_watch *maps_casters(void *state, const struct light_frame *frame, float *reach)
+{
+	struct maps *maps = state;
+	*reach = maps_reach(state, frame);
+	return &maps->watch;
+}
+
+static void maps_list_memory(const void *state, const struct memory_list *list)
+{
+	const struct maps *maps = state;
+	object_watch_list_memory(&maps->watch, list);
 }
 
 static void maps_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
@@ -104,5 +123,7 @@ const struct technique technique_maps = {
 	.prepare = maps_prepare,
 	.surface_flags = maps_surface_flags,
 	.reach = maps_reach,
+	.casters = maps_casters,
+	.list_memory = maps_list_memory,
 	.bind = maps_bind,
 };

@@ -50,6 +50,13 @@ static float pcf_reach(const void *state, const struct light_frame *frame)
 	return pcf->surface_flags & FLAG_BICUBIC ? 2.0f / (float)pcf->map.target.size : 0.0f;
 }
 
+static struct object_watch *pcf_casters(void *state, const struct light_frame *frame, float *reach)
+{
+	struct pcf *pcf = state;
+	*reach = pcf_reach(state, frame);
+	return &pcf->map.watch;
+}
+
 static void pcf_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct pcf *pcf = state;
@@ -74,6 +81,7 @@ const struct technique technique_pcf = {
 	.prepare = pcf_prepare,
 	.surface_flags = pcf_surface_flags,
 	.reach = pcf_reach,
+	.casters = pcf_casters,
 	.list_memory = pcf_list_memory,
 	.bind = pcf_bind,
 };

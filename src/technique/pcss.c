@@ -48,6 +48,13 @@ static float pcss_reach(const void *state, const struct light_frame *frame)
 	return 2.0f * disc_scale(frame) * sqrtf(1.0f + corner);
 }
 
+static struct object_watch *pcss_casters(void *state, const struct light_frame *frame, float *reach)
+{
+	struct pcss *pcss = state;
+	*reach = pcss_reach(state, frame);
+	return &pcss->map.watch;
+}
+
 static void pcss_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct pcss *pcss = state;
@@ -73,6 +80,7 @@ const struct technique technique_pcss = {
 	.prepare = pcss_prepare,
 	.surface_flags = pcss_surface_flags,
 	.reach = pcss_reach,
+	.casters = pcss_casters,
 	.list_memory = pcss_list_memory,
 	.bind = pcss_bind,
 };

@@ -28,6 +28,7 @@ const struct technique technique_penumbra_map = {
 	.surface_flags = smoothie_surface_flags,
 	.soft_grid = smoothie_soft_grid,
 	.soft_depths = smoothie_soft_depths,
+	.casters = smoothie_casters,
 	.list_memory = smoothie_list_memory,
 	.bind = smoothie_bind,
 };

@@ -188,6 +188,13 @@ const struct screen_depths *smoothie_soft_depths(const void *state)
 	return smoothie->fins.depths;
 }
 
+struct object_watch *smoothie_casters(void *state, const struct light_frame *frame, float *reach)
+{
+	struct smoothie *smoothie = state;
+	*reach = fin_stream_reach(&smoothie->shape, frame, smoothie->casters.target.size);
+	return &smoothie->casters.watch;
+}
+
 void smoothie_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct smoothie *smoothie = state;
@@ -223,6 +230,7 @@ const struct technique technique_smoothie = {
 	.surface_flags = smoothie_surface_flags,
 	.soft_grid = smoothie_soft_grid,
 	.soft_depths = smoothie_soft_depths,
+	.casters = smoothie_casters,
 	.list_memory = smoothie_list_memory,
 	.bind = smoothie_bind,
 };

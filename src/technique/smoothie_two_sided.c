@@ -126,6 +126,14 @@ static const struct screen_depths *two_sided_soft_depths(const void *state)
 	return two_sided->fins.depths;
 }
 
+static struct object_watch *two_sided_casters(
+	void *state, const struct light_frame *frame, float *reach)
+{
+	struct two_sided *two_sided = state;
+	*reach = fin_stream_reach(&fin_shape, frame, two_sided->casters.target.size);
+	return &two_sided->casters.watch;
+}
+
 static void two_sided_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct two_sided *two_sided = state;
@@ -154,6 +162,7 @@ const struct technique technique_smoothie_two_sided = {
 	.surface_flags = two_sided_surface_flags,
 	.soft_grid = two_sided_soft_grid,
 	.soft_depths = two_sided_soft_depths,
+	.casters = two_sided_casters,
 	.list_memory = two_sided_list_memory,
 	.bind = two_sided_bind,
 };

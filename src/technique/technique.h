@@ -6,7 +6,7 @@
 #include "geom/screen_depths.h"
 #include "geom/screen_grid.h"
 #include "gles/gpu.h"
-#include "scene/light.h"
+#include "scene/object_watch.h"
 
 /** Fields of sm_shadow_options that not every technique uses. */
 enum technique_option {
@@ -24,6 +24,7 @@ struct technique_view {
 	vec4 *world_to_clip;
 	uint32_t width, height; /* of the picture */
 	bool visibility;        /* for sm_view.visibility_of, not to shade surfaces */
+	bool multisampled;      /* several samples a pixel */
 	bool deferrable;        /* surfaces can look up what was found for each pixel */
 	size_t triangles;       /* of all objects */
 };
@@ -82,6 +83,11 @@ struct technique {
 	/** How far on the light's screen, NDC, from where it is a surface may be darkened by a
 	 *  caster, beyond the texels of a bilinear look-up. NULL: no farther. */
 	float (*reach)(const void *state, const struct light_frame *frame);
+	/** The watch on casters that prepare() draws by, and may leave some out by: those that are
+	 *  beside all that is looked up. reach: set to how far, NDC, from a surface a caster may be
+	 *  that what is looked up for it depends on, beyond the texels around. NULL, or it is: all
+	 *  are drawn. */
+	struct object_watch *(*casters)(void *state, const struct light_frame *frame, float *reach);
 	/** Tells what the state holds of the processor's memory. NULL: nothing beside itself. */
 	void (*list_memory)(const void *state, const struct memory_list *list);
 	/** Binds textures and sets uniforms of a program with these flags, in use. */

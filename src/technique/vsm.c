@@ -148,6 +148,13 @@ static float vsm_reach(const void *state, const struct light_frame *frame)
 	return 2.0f * (float)vsm->blur_radius / (float)vsm->moments.size;
 }
 
+static struct object_watch *vsm_casters(void *state, const struct light_frame *frame, float *reach)
+{
+	struct vsm *vsm = state;
+	*reach = vsm_reach(state, frame);
+	return &vsm->map.watch;
+}
+
 static void vsm_list_memory(const void *state, const struct memory_list *list)
 {
 	const struct vsm *vsm = state;
@@ -177,6 +184,7 @@ const struct technique technique_vsm = {
 	.surface_flags = vsm_surface_flags,
 	.reach = vsm_reach,
 	.needs_parts = true,
+	.casters = vsm_casters,
 	.list_memory = vsm_list_memory,
 	.bind = vsm_bind,
 };

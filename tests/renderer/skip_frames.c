@@ -16,10 +16,12 @@
 #include <cmocka.h>
 
 #define SCENES 40
-#define FRAMES 25 /* of a scene */
-#define MOVES 60  /* of casters, one after the other, with each technique */
-#define LEDGES 20 /* moves of one */
-#define CROWD 12  /* of which one moves */
+#define FRAMES 25  /* of a scene */
+#define MOVES 60   /* of casters, one after the other, with each technique */
+#define LEDGES 20  /* moves of one */
+#define GLANCES 50 /* at a part of a scene */
+#define BRINKS 40  /* of a shadow, looked at */
+#define CROWD 12   /* of which one moves */
 #define WIDTH 96
 #define HEIGHT 64
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
@@ -359,16 +361,21 @@ static struct pose crowd_pose(struct run *run, uint32_t place)
 	};
 }
 
-static void play_moves(struct run *run, const struct sm_shadow_options *options)
+static void add_crowd(struct run *run)
 {
-	make_still_scene(run);
-	run->camera = (struct sm_camera){
-		.eye = {1, 4, 3}, .target = {0, 0.5f, 0}, .up = {0, 1, 0}, .fov = 60};
 	for (uint32_t i = 0; i < CROWD; i++) {
 		struct pose pose = crowd_pose(run, i);
 		parts_add_object(
 			run->scene, run->meshes[below(run, 4)], 1 + below(run, PART_BOTH), &pose);
 	}
+}
+
+static void play_moves(struct run *run, const struct sm_shadow_options *options)
+{
+	make_still_scene(run);
+	run->camera = (struct sm_camera){
+		.eye = {1, 4, 3}, .target = {0, 0.5f, 0}, .up = {0, 1, 0}, .fov = 60};
+	add_crowd(run);
 	init_canvases(run, 0);
 	use_shadows(run, options);
 	for (uint32_t frame = 0; frame < MOVES; frame++) {
@@ -419,6 +426,97 @@ static void play_ledges(struct run *run, const struct sm_shadow_options *options
 	sm_scene_destroy(run->scene);
 }
 
+/* At a small part of the floor, so that most shadows fall beside what is seen, or just reach in. */
+static void glance(struct run *run)
+{
+	float x = between(run, -2, 2), z = between(run, -2, 2);
+	run->camera = (struct sm_camera){
+		.eye = {x + between(run, -1, 1), 4, z + 2},
+		.target = {x, 0, z},
+		.up = {0, 1, 0},
+		.fov = between(run, 4, 25),
+	};
+}
+
+static void change_around_glance(struct run *run)
+{
+	uint32_t what = below(run, 6), place = below(run, CROWD);
+	uint32_t light = below(run, run->lights);
+	struct pose pose = crowd_pose(run, place);
+	if (what < 3)
+		glance(run);
+	else if (what < 5)
+		move_object(run, run->objects + place, &pose);
+	else
+		run->light[light].position[0] = between(run, -1, 1);
+	if (what == 5)
+		assert_true(sm_scene_set_light(run->scene, light, &run->light[light], NULL));
+}
+
+static void play_glances(struct run *run, const struct sm_shadow_options *options)
+{
+	make_still_scene(run);
+	add_crowd(run);
+	glance(run);
+	init_canvases(run, (uint32_t)(options - choices));
+	use_shadows(run, options);
+	for (uint32_t frame = 0; frame < GLANCES; frame++) {
+		draw_by_both(
+			run, SCENES + 2 * COUNT(choices) + (uint32_t)(options - choices), frame);
+		change_around_glance(run);
+	}
+	canvas_finish(&run->canvases[0]);
+	canvas_finish(&run->canvases[1]);
+	sm_scene_destroy(run->scene);
+}
+
+/* What is seen is a spot of the floor where the shadow of a slab's edge just ends, which is on the
+ * light's screen, or a bit beside it. */
+static void move_to_brink(struct run *run, uint32_t slab)
+{
+	const float side = 0.6f, height = 2;
+	struct sm_light_desc *light = &run->light[0];
+	float lamp = light->position[1], slope = between(run, 0.1f, 0.3f);
+	float x = slope * lamp - between(run, 0, 0.4f);
+	float screen = below(run, 3) == 0 ? slope - between(run, 0, 0.03f) : 0.6f;
+	run->camera = (struct sm_camera){
+		.eye = {x + 1, 1, 0}, .target = {x, 0, 0}, .up = {0, 1, 0}, .fov = 2};
+	if (below(run, 4) == 0)
+		return;
+	light->angle = 2 * atanf(screen) * 180 / acosf(-1);
+	assert_true(sm_scene_set_light(run->scene, 0, light, NULL));
+	move_object(run, slab,
+		&(struct pose){.scale = {side, 0.05f, side},
+			.position = {slope * (lamp - height) + side, height, 0}});
+}
+
+static void play_brinks(struct run *run, const struct sm_shadow_options *options)
+{
+	run->scene = sm_scene_create();
+	assert_non_null(run->scene);
+	run->light[0] = (struct sm_light_desc){.position = {0, 6, 0},
+		.radius = 0.8f,
+		.angle = 60,
+		.color = {1, 1, 1},
+		.intensity = 1};
+	parts_add_object(run->scene, parts_add_square(run->scene), PART_RECEIVES,
+		&(struct pose){.scale = {4, 1, 4}});
+	uint32_t slab = parts_add_object(run->scene, parts_add_cube(run->scene), PART_BOTH,
+		&(struct pose){.scale = {1, 1, 1}});
+	parts_add_light(run->scene, &run->light[0]);
+	run->visibility_of = SM_NONE;
+	init_canvases(run, 0);
+	use_shadows(run, options);
+	for (uint32_t frame = 0; frame < BRINKS; frame++) {
+		move_to_brink(run, slab);
+		draw_by_both(
+			run, SCENES + 3 * COUNT(choices) + (uint32_t)(options - choices), frame);
+	}
+	canvas_finish(&run->canvases[0]);
+	canvas_finish(&run->canvases[1]);
+	sm_scene_destroy(run->scene);
+}
+
 /* A skip that never happens, or always does, has not been tested. */
 static void check_counts(const struct run *run)
 {
@@ -447,6 +545,10 @@ static void skips_do_not_show(void **state)
 		play_moves(&run, &choices[i]);
 	for (size_t i = 0; i < COUNT(choices); i++)
 		play_ledges(&run, &choices[i]);
+	for (size_t i = 0; i < COUNT(choices); i++)
+		play_glances(&run, &choices[i]);
+	for (size_t i = 0; i < COUNT(choices); i++)
+		play_brinks(&run, &choices[i]);
 	check_counts(&run);
 	sm_renderer_destroy(run.skipping);
 }

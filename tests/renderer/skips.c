@@ -121,6 +121,55 @@ static void test_a_moving_camera_draws_surfaces_alone(void **state)
 	canvas_finish(&canvas);
 }
 
+static void set_radius(struct rig *rig, float radius)
+{
+	struct sm_light_desc light = lamp;
+	light.radius = radius;
+	assert_true(sm_scene_set_light(rig->scene, 0, &light, NULL));
+}
+
+static uint64_t count_edges(struct rig *rig, const struct sm_view *view, struct passes *passes)
+{
+	struct sm_frame_stats stats;
+	*passes = draw_observed(rig, view);
+	sm_renderer_get_stats(rig->renderer, &stats);
+	return stats.silhouette_edges;
+}
+
+/* A block whose shadow the camera does not see is left out; once it does, all is drawn, and no
+ * camera after that meets anything that is left to draw. */
+static void test_a_shadow_beside_the_view_is_drawn_when_that_comes_to_it(void **state)
+{
+	struct rig *rig = *state;
+	struct canvas canvas;
+	struct sm_camera aside = {
+		.eye = {3, 1, 4}, .target = {3, 0, 1}, .up = {0, 1, 0}, .fov = 20};
+	canvas_init(&canvas, GL_SRGB8_ALPHA8, SIZE, SIZE);
+	set_up(rig->scene, 1);
+	struct sm_view view = view_of(&canvas, &aside), other = view_of(&canvas, &camera);
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "smoothie", .map_size = 128});
+	struct passes passes;
+	assert_int_equal(count_edges(rig, &view, &passes), 0);
+	view.camera.fov = 15;
+	assert_int_equal(count_edges(rig, &view, &passes), 0);
+	assert_int_equal(passes.others, 0);
+	assert_true(count_edges(rig, &other, &passes) > 0);
+	assert_true(passes.others > 0);
+	view.camera.fov = 20;
+	for (int i = 0; i < 2; i++) {
+		assert_int_equal(count_edges(rig, i == 0 ? &view : &other, &passes), 0);
+		assert_int_equal(passes.others, 0);
+	}
+	/* Switched off, what is left out is drawn, too. */
+	set_radius(rig, 0.3f);
+	assert_int_equal(count_edges(rig, &view, &passes), 0);
+	assert_true(sm_renderer_set_skips(rig->renderer, "-volume", NULL));
+	assert_true(count_edges(rig, &view, &passes) > 0);
+	assert_int_equal(count_edges(rig, &view, &passes), 0);
+	assert_int_equal(passes.others, 0);
+	canvas_finish(&canvas);
+}
+
 /* What of a frame is asked about. */
 struct question {
 	struct sm_view view;
@@ -309,13 +358,6 @@ static bool is_hard(const struct rig *rig)
 	return stats.hard_lights == 1;
 }
 
-static void set_radius(struct rig *rig, float radius)
-{
-	struct sm_light_desc light = lamp;
-	light.radius = radius;
-	assert_true(sm_scene_set_light(rig->scene, 0, &light, NULL));
-}
-
 /* The radius from which on a light that was hard before is soft. */
 static float find_soft_radius(struct rig *rig)
 {
@@ -494,6 +536,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		rig_test(test_skips_have_names),
 		rig_test(test_a_moving_camera_draws_surfaces_alone),
+		rig_test(test_a_shadow_beside_the_view_is_drawn_when_that_comes_to_it),
 		rig_test(test_a_frame_is_current_until_something_changes),
 		rig_test(test_what_is_kept_is_of_one_scene),
 		rig_test(test_choices_start_anew_when_a_light_comes_into_view),

@@ -118,6 +118,99 @@ static void test_what_changes_is_told(void **unused)
 	sm_scene_destroy(scene);
 }
 
+static size_t count_left_out(const struct object_watch *watch)
+{
+	size_t count = 0;
+	for (size_t i = 0; i < watch->count; i++)
+		count += watch->objects[i].left_out;
+	assert_int_equal(count, watch->left_out_count);
+	return count;
+}
+
+/* The cells of the screen's left half, or of its right one. */
+static struct screen_grid half_of_screen(bool right)
+{
+	struct screen_grid half;
+	for (int row = 0; row < SCREEN_GRID_SIZE; row++)
+		half.rows[row] = right ? ~(uint64_t)0 << SCREEN_GRID_SIZE / 2
+				       : ~(uint64_t)0 >> SCREEN_GRID_SIZE / 2;
+	return half;
+}
+
+/* Three casters are in the half that is on the right of the row, and two in the other. */
+static void test_what_is_not_seen_is_left_out_until_it_is(void **unused)
+{
+	(void)unused;
+	struct sm_scene *scene = make_scene();
+	struct light_frame frame = frame_of(scene, 9);
+	struct screen_grid halves[2] = {half_of_screen(false), half_of_screen(true)};
+	struct object_watch watch = {.seen = &halves[0]};
+	struct screen_box changed = look(&watch, scene, &frame);
+	assert_true(screen_box_is_all(&changed));
+	assert_int_equal(count_left_out(&watch), 3);
+	assert_int_equal(watch.seen_tested, COUNT - 1);
+	assert_int_equal(watch.seen_left_out, 3);
+	assert_false(object_watch_lacks(&watch, &halves[0]));
+	assert_true(object_watch_lacks(&watch, &halves[1]));
+	const uint32_t beside = 0, seen = COUNT - 2;
+	assert_true(watch.objects[beside].left_out && !watch.objects[seen].left_out);
+
+	/* What moves where it is not seen changes nothing. */
+	move_cube(scene, beside, 0.1f);
+	changed = look(&watch, scene, &frame);
+	assert_true(screen_box_is_none(&changed));
+	assert_true(watch.objects[beside].left_out);
+	assert_int_equal(watch.seen_tested, 3);
+
+	/* From one half to the other. */
+	struct screen_box before = box_of(&watch, seen);
+	move_cube(scene, seen, 0);
+	changed = look(&watch, scene, &frame);
+	assert_memory_equal(&changed, &before, sizeof(changed));
+	assert_int_equal(count_left_out(&watch), 4);
+
+	/* What is there stays, and what was left out comes. */
+	watch.seen = &halves[1];
+	changed = look(&watch, scene, &frame);
+	assert_int_equal(count_left_out(&watch), 0);
+	for (size_t i = 0; i < COUNT - 1; i++) {
+		struct screen_box box = changed;
+		assert_true(watch.objects[i].changed == (i != 3));
+		screen_box_add(&box, &watch.objects[i].box);
+		assert_true(i == 3 || memcmp(&box, &changed, sizeof(box)) == 0);
+	}
+	watch.seen = &halves[0];
+	changed = look(&watch, scene, &frame);
+	assert_true(screen_box_is_none(&changed));
+	assert_int_equal(count_left_out(&watch), 0);
+	assert_int_equal(watch.seen_tested, 0);
+	object_watch_finish(&watch);
+	sm_scene_destroy(scene);
+}
+
+/* What it throws may reach in from there. */
+static void test_what_is_beside_the_screen_counts_at_its_rim(void **unused)
+{
+	(void)unused;
+	struct sm_scene *scene = make_scene();
+	struct light_frame frame = frame_of(scene, 9);
+	struct screen_grid seen = {0};
+	struct object_watch watch = {.seen = &seen};
+	for (int sign = -1; sign <= 1; sign += 2)
+		for (int right = 0; right < 2; right++) {
+			move_cube(scene, 0, (float)sign * 90);
+			for (int row = 0; row < SCREEN_GRID_SIZE; row++)
+				seen.rows[row] = right ? (uint64_t)1 << (SCREEN_GRID_SIZE - 1) : 1;
+			object_watch_forget(&watch);
+			look(&watch, scene, &frame);
+			bool is_right = watch.objects[0].box.min[0] > 1;
+			assert_true(is_right || watch.objects[0].box.max[0] < -1);
+			assert_true(watch.objects[0].left_out == (is_right != (right == 1)));
+		}
+	object_watch_finish(&watch);
+	sm_scene_destroy(scene);
+}
+
 static void test_a_mesh_that_bends_is_told(void **unused)
 {
 	(void)unused;
@@ -199,6 +292,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_what_changes_is_told),
+		cmocka_unit_test(test_what_is_not_seen_is_left_out_until_it_is),
+		cmocka_unit_test(test_what_is_beside_the_screen_counts_at_its_rim),
 		cmocka_unit_test(test_a_mesh_that_bends_is_told),
 		cmocka_unit_test(test_another_place_of_the_same_version_is_told),
 		cmocka_unit_test(test_kept_fins_are_those_that_would_be_found),
