@@ -377,6 +377,8 @@ struct sm_frame_stats {
 	uint64_t edges_left_out;   /**< by "gather": an edge counts for each part of the light's
 				      screen whose list had no room for it, nearer edges first */
 	uint64_t fin_vertices;
+	uint64_t fins_left_out; /**< of the silhouette edges: nowhere wider than half a texel, so
+				     that they have none */
 	uint64_t uploaded_bytes;
 	double silhouette_ms; /**< processor time for silhouettes and fins; with another precision
 				   than float, for all polygons */
@@ -406,7 +408,8 @@ SM_API void sm_renderer_set_threads(struct sm_renderer *renderer, uint32_t count
 /** Since the renderer was created. While a skip is off nothing is counted. */
 struct sm_skip_stats {
 	uint64_t tested;
-	uint64_t skipped; /**< of these; the others were done */
+	uint64_t skipped; /**< of these: left out, or kept as it was */
+	uint64_t redrawn; /**< the others: done, or done again */
 };
 
 /** Those of the skip of that index, which is one of sm_skip_name(). */

@@ -71,6 +71,7 @@ void driver_options_describe_skips(const struct sm_renderer *renderer, struct fa
 		char key[50];
 		sm_renderer_get_skip_stats(renderer, i, &stats);
 		snprintf(key, sizeof(key), "skipped, %s", sm_skip_name(i));
-		facts_format(facts, key, "%" PRIu64 " of %" PRIu64, stats.skipped, stats.tested);
+		facts_format(facts, key, "%" PRIu64 " of %" PRIu64 ", %" PRIu64 " redrawn",
+			stats.skipped, stats.tested, stats.redrawn);
 	}
 }

@@ -41,7 +41,7 @@ struct sm_driver_options driver_options_get(const struct driver_options *options
 struct sm_renderer *driver_options_renderer(
 	const struct driver_options *options, struct sm_error *error);
 
-/** Says of each skip how often it was asked for and granted. */
+/** Says of each skip how often it was granted and asked for, and how often not granted. */
 void driver_options_describe_skips(const struct sm_renderer *renderer, struct facts *facts);
 
 #endif

@@ -53,6 +53,7 @@ struct quad_writer {
 	float side; /* that is written: 1 outside, -1 inside */
 	struct fin_vertex *out;
 	size_t capacity, count;
+	size_t left_out_count;
 };
 
 static void write_vertex(struct fin_vertex *out, const struct quad_writer *writer,
@@ -86,6 +87,8 @@ static void write_edge(struct quad_writer *writer, const struct fin_edge *edge, 
 	if (fmaxf(a->drawn, b->drawn) > writer->params->finest)
 		write_quad(writer, (const struct fin_end *const[]){a, b, b, a},
 			(const float[4][2]){{0, 0}, {0, 0}, {n[0], n[1]}, {n[0], n[1]}});
+	else
+		writer->left_out_count++;
 }
 
 /* The sector between two unit normals; outer: unit, halfway between them, used when they are more
@@ -396,5 +399,6 @@ size_t fins_build(const struct caster *caster, const struct silhouette_edge *edg
 			*first = NO_END;
 		}
 	}
+	scratch->left_out_count = writer.left_out_count;
 	return writer.count;
 }

@@ -39,6 +39,7 @@ struct fin_scratch {
 	uint32_t *first; /* [vertex_capacity]: an end of an edge at the vertex, or none; all
 			    none between calls */
 	size_t vertex_capacity;
+	size_t left_out_count; /* fins of edges that the last call left out: too fine */
 };
 
 void fin_scratch_init(struct fin_scratch *scratch);

@@ -76,6 +76,7 @@ void skip_count(struct skips *skips, enum skip skip, size_t tested, size_t skipp
 		return;
 	skips->stats[skip].tested += tested;
 	skips->stats[skip].skipped += skipped;
+	skips->stats[skip].redrawn += tested - skipped;
 }
 
 bool skip_take(struct skips *skips, enum skip skip, bool could)

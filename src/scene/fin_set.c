@@ -63,6 +63,7 @@ static bool append_fins(struct fin_set *set, const struct caster *caster,
 	set->vertex_count += fins_build(caster, track->edges, track->edge_count, params,
 		&set->scratch, set->vertices + set->vertex_count,
 		set->vertex_capacity - set->vertex_count);
+	set->left_out_count += set->scratch.left_out_count;
 	return true;
 }
 
@@ -212,7 +213,7 @@ static bool find_part(struct fin_set *set, const struct fin_search *search, size
 void fin_set_clear(struct fin_set *set)
 {
 	set->vertex_count = set->part_count = 0;
-	set->edge_count = set->caster_count = set->missing_count = 0;
+	set->edge_count = set->caster_count = set->missing_count = set->left_out_count = 0;
 }
 
 bool fin_set_update(struct fin_set *set, const struct sm_scene *scene,

@@ -45,6 +45,7 @@ struct fin_set {
 	size_t part_count;
 	size_t edge_count; /* of silhouettes that were looked for and fins are on */
 	size_t caster_count, missing_count; /* casters, and those that were left out */
+	size_t left_out_count;              /* fins, of edges that were looked for: too fine */
 	struct workers *workers;            /* share the search of large meshes; not owned, may
 					       be NULL */
 	/* Working memory; owned */

@@ -106,6 +106,7 @@ static bool find_fins(struct fin_stream *stream, struct gpu *gpu, const struct s
 		skip_count(&gpu->skips, SKIP_CASTER, stream->set.caster_count,
 			stream->set.missing_count);
 		gpu->stats.silhouette_edges += stream->set.edge_count;
+		gpu->stats.fins_left_out += stream->set.left_out_count;
 		gpu->stats.silhouette_ms += processor_ms() - start;
 	}
 	gl_pop_group(&gpu->gl);

@@ -147,6 +147,7 @@ static void fins_nowhere_wider_than_the_finest_are_left_out(void **state)
 			struct fins fins =
 				build_positions(cases[i].positions, 2, &edge, 1, &params);
 			assert_int_equal(fins.count, 4 * cases[i].quads);
+			assert_int_equal(fins.left_out_count, 1 - cases[i].quads);
 			free(fins.vertices);
 		}
 	}

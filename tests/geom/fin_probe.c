@@ -39,6 +39,7 @@ struct fins build(const struct caster *caster, const struct silhouette_edge *edg
 	assert_int_equal(
 		fins_build(caster, edges, edge_count, params, &scratch, fins.vertices, fins.count),
 		fins.count);
+	fins.left_out_count = scratch.left_out_count;
 	for (size_t v = 0; v < scratch.vertex_capacity; v++)
 		assert_int_equal(scratch.first[v], UINT32_MAX);
 	fin_scratch_finish(&scratch);

@@ -20,7 +20,7 @@ struct caster caster_of(const float (*positions)[3], size_t vertex_count);
 
 struct fins {
 	struct fin_vertex *vertices; /* the caller's to free() */
-	size_t count;
+	size_t count, left_out_count;
 };
 
 /** Into exactly as much memory as is needed, so that a sanitizer sees any write beyond. */

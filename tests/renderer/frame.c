@@ -537,12 +537,22 @@ static void the_counters_are_those_of_the_last_frame(void **state)
 	assert_int_equal(second.silhouette_edges, 4);
 	/* Four edges and four corners, a quad each. */
 	assert_int_equal(second.fin_vertices, 32);
+	assert_int_equal(second.fins_left_out, 0);
 	/* Casters, receivers, fins and two surfaces, each in a call at least. */
 	assert_true(second.draw_calls >= 5);
 	assert_true(second.triangles >= 2 + 2 + 16 + 4);
 	/* The scene is uploaded once, the fins each time. */
 	assert_true(first.uploaded_bytes > second.uploaded_bytes);
 	assert_true(second.uploaded_bytes > 0);
+
+	/* Less than half of one of these texels wide. */
+	rig_set_shadows(rig, &(struct sm_shadow_options){
+				     .technique = "smoothie", .width = 0.04f, .map_size = 8});
+	center_of(rig, rig->scene);
+	sm_renderer_get_stats(rig->renderer, &second);
+	assert_int_equal(second.silhouette_edges, 4);
+	assert_int_equal(second.fin_vertices, 0);
+	assert_int_equal(second.fins_left_out, 4);
 
 	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "hard"});
 	center_of(rig, rig->scene);
