@@ -233,6 +233,7 @@ bool depth_map_look_at_casters(struct object_watch *watch, const struct sm_scene
 
 void depth_map_forget(struct depth_map *map)
 {
+	map->cleared = false;
 	object_watch_forget(&map->watch);
 }
 
@@ -257,6 +258,51 @@ bool depth_map_draw_part(struct depth_map *map, struct gpu *gpu, const struct sm
 	return draw_part(map, gpu, scene, frame, content, part, NULL, error);
 }
 
+/* The largest part of a target that is cleared alone where all may be: a driver may draw it, which
+ * costs more for each texel. With llvmpipe a sixth costs as much as all. */
+#define PART_SHARE_MAX 0.125f
+
+static float share_of(const struct screen_box *part)
+{
+	float share = 0.25f; /* NDC are 2 wide */
+	for (int axis = 0; axis < 2; axis++)
+		share *= fmaxf(fminf(part->max[axis], 1.0f) - fmaxf(part->min[axis], -1.0f), 0.0f);
+	return share;
+}
+
+void depth_map_narrow(struct screen_box *part, const struct screen_box *held)
+{
+	if (!screen_box_is_all(part) || share_of(held) <= PART_SHARE_MAX)
+		screen_box_cut(part, held);
+}
+
+/* Where its casters are. */
+static struct screen_box find_held(const struct depth_map *map)
+{
+	struct screen_box held = screen_box_none();
+	for (size_t i = 0; i < map->watch.count; i++) {
+		const struct watched_object *object = &map->watch.objects[i];
+		if (object->shown && !object->left_out)
+			screen_box_add(&held, &object->box);
+	}
+	return held;
+}
+
+/* Finds what has changed of the map. */
+static bool look(struct depth_map *map, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	if (!depth_map_look_at_casters(&map->watch, scene, frame, &map->changed, error))
+		return false;
+	struct screen_box held = find_held(map), either = held;
+	screen_box_add(&either, &map->held);
+	if (map->cleared)
+		depth_map_narrow(&map->changed, &either);
+	map->held = held;
+	map->cleared = true;
+	return true;
+}
+
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
@@ -264,7 +310,7 @@ bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scen
 	if (gpu->skips.off[SKIP_STATIC] || map->failures != gpu->failures)
 		depth_map_forget(map);
 	map->failures = gpu->failures;
-	if (!depth_map_look_at_casters(&map->watch, scene, frame, changed, error))
+	if (!look(map, scene, frame, error))
 		return false;
 	if (screen_box_is_none(changed))
 		return true;

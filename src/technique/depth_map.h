@@ -33,6 +33,8 @@ struct depth_map {
 	uint64_t write;            /* flags of PROGRAM_DEPTH_MAP */
 	struct object_watch watch; /* on what it holds */
 	struct screen_box changed; /* of the light's screen, when it was last asked for */
+	bool cleared;              /* all beside what is held */
+	struct screen_box held;    /* where it holds something, if so */
 	uint64_t failures;         /* of the GPU so far, when it was drawn */
 	bool shared;               /* with the other lights: of receivers */
 };
@@ -69,6 +71,10 @@ bool depth_map_is_drawn(struct gpu *gpu, const struct sm_scene *scene, size_t in
  *  changed. map->changed is set to where that is not so. */
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error);
+
+/** Narrows a part of the screen that is to be drawn anew to where something was or is, since the
+ *  rest is clear already: but from all to no part that is too large for that to pay. */
+void depth_map_narrow(struct screen_box *part, const struct screen_box *held);
 
 /** Has the next draw start with nothing. */
 void depth_map_forget(struct depth_map *map);

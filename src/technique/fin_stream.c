@@ -123,6 +123,20 @@ static void widen(
 			screen_box_add(changed, &stream->set.parts[i].box);
 }
 
+/* Narrows a part to where fins are or were. Where the map is not drawn whole, all beside those has
+ * been cleared before. */
+static void narrow(
+	struct fin_stream *stream, const struct depth_map *casters, struct screen_box *part)
+{
+	struct screen_box held = screen_box_none(), either = stream->held;
+	for (size_t i = 0; i < stream->set.part_count; i++)
+		screen_box_add(&held, &stream->set.parts[i].box);
+	screen_box_add(&either, &held);
+	if (!screen_box_is_all(&casters->changed))
+		depth_map_narrow(part, &either);
+	stream->held = held;
+}
+
 /* The cells that fins are in. */
 static struct screen_box find_bounds(const struct fin_stream *stream)
 {
@@ -209,6 +223,7 @@ static bool prepare(struct fin_stream *stream, struct gpu *gpu, const struct sm_
 	/* Which look at what is beside their silhouettes. */
 	if (shape->both_sides)
 		widen(stream, &maps->casters->target, part);
+	narrow(stream, maps->casters, part);
 	if (!find_depths(stream, maps->casters->target.size, part))
 		return error_no_memory(error);
 	return screen_box_is_none(part) || !(*flags & FLAG_RECEIVER_MAP) ||

@@ -15,6 +15,7 @@ struct fin_stream {
 	size_t quads;                  /* in the buffer */
 	struct object_watch receivers; /* of those that only receive */
 	uint64_t drawn_flags;          /* of the program that they were prepared for last */
+	struct screen_box held;        /* where they are */
 	struct screen_grid grid;       /* where surfaces that look them up may be */
 	struct screen_grid *grids;     /* the same of each object; owned */
 	size_t grid_capacity;
