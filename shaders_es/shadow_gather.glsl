@@ -161,7 +161,8 @@ const float STRANGE_ALONE = 2.0;
 
 // The sheets before the receiver at the nearest texel; if it casts itself, at that of the four
 // nearest where its own sheet is best found among them, which is left out. tries: 4, 1, or 0 to leave
-// it all as it is: a loop is passed over where no pixel runs it, which not all drivers do with a branch.
+// it all as it is. Loops of this file test at their ends, too: a processor with lanes leaves them
+// nowhere else, so that a test at the start alone costs a round in which no lane does anything.
 origin origin_among(receiver r, origin middle, int tries)
 {
 	origin from = middle;
@@ -170,7 +171,7 @@ origin origin_among(receiver r, origin middle, int tries)
 	vec2 beside = vec2(side.x < 0.0 ? -1.0 : 1.0, side.y < 0.0 ? -1.0 : 1.0);
 	bool x_first = abs(side.x) >= abs(side.y);
 	float best = NOT_FOUND;
-	for (int i = 0; i < tries && best >= CERTAIN; i++) {
+	for (int i = 0; i < tries;) {
 		vec2 step = vec2(float(i & 1), float(i >> 1));
 		vec2 texel = nearest + beside * (x_first ? step : step.yx);
 		texel = clamp(texel, vec2(0.0), vec2(map_size.x - 1.0));
@@ -200,21 +201,25 @@ origin origin_among(receiver r, origin middle, int tries)
 			doubts = max(doubts, counts ? doubt(leads[j], noise) : 0.0);
 		}
 		float score = own_layer >= 0 ? strange + doubts : NOT_FOUND;
-		if (i > 0 && score >= best - BETTER)
-			continue;
-		best = score;
-		// Where all layers are before the receiver more sheets may be: of what does not cast
-		// it is taken that it lies behind all that are in line, and what does is dark where
-		// layers are drawn no further.
-		bool hidden = casts && blocking == LAYERS;
-		bool full = !casts && blocking == layer_count;
-		from.at = full ? middle.at : off + r.s.xy;
-		from.winding = full ? middle.winding : hidden ? HIDDEN : blocking;
-		from.seen = full || hidden || !casts || strange < CERTAIN ? from.winding : before;
-		// Before all edges: none is looked at.
-		from.depth = full ? middle.depth : hidden ? -1.0 : r.s.z - r.noise;
-		from.own_depth = full ? 0.0 : 2.0 * r.noise + max(rise, 0.0);
-		from.slope = rise < 0.0 && !full ? r.slope : vec2(0.0);
+		if (i == 0 || score < best - BETTER) {
+			best = score;
+			// Where all layers are before the receiver more sheets may be: of what does
+			// not cast it is taken that it lies behind all that are in line, and what
+			// does is dark where layers are drawn no further.
+			bool hidden = casts && blocking == LAYERS;
+			bool full = !casts && blocking == layer_count;
+			from.at = full ? middle.at : off + r.s.xy;
+			from.winding = full ? middle.winding : hidden ? HIDDEN : blocking;
+			bool sure = full || hidden || !casts || strange < CERTAIN;
+			from.seen = sure ? from.winding : before;
+			// Before all edges: none is looked at.
+			from.depth = full ? middle.depth : hidden ? -1.0 : r.s.z - r.noise;
+			from.own_depth = full ? 0.0 : 2.0 * r.noise + max(rise, 0.0);
+			from.slope = rise < 0.0 && !full ? r.slope : vec2(0.0);
+		}
+		i++;
+		if (i >= tries || best < CERTAIN)
+			break;
 	}
 	return from;
 }
@@ -339,7 +344,7 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 		int turn = 0;
 		// To the next edge that may be before the disc: where some lanes of a processor
 		// still look for theirs the others wait here, not at each edge.
-		for (; i < end && !hit && turn == 0; i++) {
+		while (i < end) {
 			vec4 v = texelFetch(edge_map, ivec2(i & 1023, i >> TABLE_ROW_BITS), 0);
 #ifdef RUNS
 			bool begins = i == first;
@@ -378,6 +383,9 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 			hit = !begins && max(edge.before_a, edge.before_b) > 0.0 &&
 				edge.side * edge.side < most * dot(along, along) && !away_a &&
 				!away_b;
+			i++;
+			if (i >= end || hit || turn != 0)
+				break;
 		}
 		float above_a = from.depth - depth_a + dot(from.slope, edge.a);
 		float above_b = from.depth - depth_b + dot(from.slope, edge.b);
@@ -389,6 +397,8 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 		sum.own += depth <= 0.0 && depth >= -from.own_depth * past ? turn : 0;
 		if (hit)
 			add_edge(sum, edge, r);
+		if (i >= end)
+			break;
 	}
 }
 
@@ -427,7 +437,7 @@ sums walk(receiver r, origin from, int first, int end)
 	reach reach = reach_of(r, from);
 	for (int run = first; run < end;) {
 		int begin = 0, stop = 0;
-		for (; run < end && stop == begin; run++) {
+		while (run < end) {
 			uvec4 found = texelFetch(
 				edge_runs, ivec2(run & 1023, run >> TABLE_ROW_BITS), 0);
 			float start = uintBitsToFloat(found.y);
@@ -440,8 +450,13 @@ sums walk(receiver r, origin from, int first, int end)
 			bool near = deepest > start && dot(off, off) <= within * within;
 			begin = int(found.x & 0xffffffu);
 			stop = near ? begin + int(found.x >> 24) + 1 : begin;
+			run++;
+			if (run >= end || stop != begin)
+				break;
 		}
 		walk_edges(sum, r, from, begin, stop, deepest);
+		if (run >= end)
+			break;
 	}
 	return sum;
 }
