@@ -229,6 +229,9 @@ origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 	// Behind all that casts, where no map need be asked.
 	int winding = int(tile.y >> 24) - 128;
 	origin from = origin((tile_at + 0.5) / tile_count, winding, winding, 2.0, 0.0, vec2(0.0));
+#ifdef BEHIND
+	return from; // as all that is drawn so
+#endif
 	bool among = light_arrives && r.s.z <= uintBitsToFloat(tile.w);
 	return origin_among(r, from, !among ? 0 : casts ? 4 : 1);
 }

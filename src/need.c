@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "need.h"
 
-bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float max[3])
+bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[3], float max[3])
 {
-	min[0] = min[1] = INFINITY;
+	min[0] = min[1] = min[2] = INFINITY;
 	max[0] = max[1] = max[2] = -INFINITY;
 	for (int corner = 0; corner < 8; corner++) {
 		vec4 p = {1.0f, 1.0f, 1.0f, 1.0f};
@@ -13,11 +13,10 @@ bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float 
 		/* The projection has no finite bounds at w = 0; false for NaN too. */
 		if (!(p[3] > 0.0f))
 			return false;
-		for (int axis = 0; axis < 2; axis++) {
+		for (int axis = 0; axis < 3; axis++) {
 			min[axis] = fminf(min[axis], p[axis] / p[3]);
 			max[axis] = fmaxf(max[axis], p[axis] / p[3]);
 		}
-		max[2] = fmaxf(max[2], p[2] / p[3]);
 	}
 	return true;
 }
@@ -26,7 +25,7 @@ static void mark_box(
 	struct screen_grid *cells, mat4 to_clip, const struct cluster *box, float slack)
 {
 	static const uint8_t sides[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-	float min[2], max[3];
+	float min[3], max[3];
 	if (!box_on_screen(to_clip, box, min, max)) {
 		screen_grid_fill(cells);
 		return;
@@ -63,22 +62,32 @@ void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const stru
 	if (soft == NULL || !soft_is_all)
 		mark_casters(&map->cells[NEED_MAP], gpu, scene, frame, reach, map_size);
 	map->cells[NEED_TECHNIQUE] = soft != NULL ? *soft : map->cells[NEED_MAP];
+	map->cells[NEED_BEHIND] = map->cells[NEED_TECHNIQUE];
 }
 
 static bool has_need(
-	const struct need_map *map, enum need need, const float min[2], const float max[3])
+	const struct need_map *map, enum need need, const float min[3], const float max[3])
 {
 	return screen_grid_touches(&map->cells[need], min, max) &&
-	       (need != NEED_TECHNIQUE || map->soft == NULL ||
+	       (need < NEED_BEHIND || map->soft == NULL ||
 		       screen_depths_before(map->soft, min, max, 0.5f * max[2] + 0.5f));
 }
 
-enum need need_of_space(const struct need_map *map, const float min[2], const float max[3])
+/* So far behind all casters, window depth, that shaders agree: far more than floats round. */
+#define BEHIND_MARGIN 1e-4f
+
+static bool is_behind(const struct need_map *map, const float min[3], const float max[3])
+{
+	return map->farthest != NULL &&
+	       0.5f * min[2] + 0.5f > screen_grid_most(map->farthest, min, max) + BEHIND_MARGIN;
+}
+
+enum need need_of_space(const struct need_map *map, const float min[3], const float max[3])
 {
 	float cone = map->cone;
 	if (max[0] < -cone || min[0] > cone || max[1] < -cone || min[1] > cone)
 		return NEED_AMBIENT;
-	enum need need = NEED_TECHNIQUE;
+	enum need need = is_behind(map, min, max) ? NEED_BEHIND : NEED_TECHNIQUE;
 	while (need > NEED_LIGHT && !has_need(map, need, min, max))
 		need--;
 	return need;
@@ -86,7 +95,7 @@ enum need need_of_space(const struct need_map *map, const float min[2], const fl
 
 enum need need_of_box(const struct need_map *map, mat4 to_light_clip, const struct cluster *box)
 {
-	float min[2], max[3];
+	float min[3], max[3];
 	if (!box_on_screen(to_light_clip, box, min, max))
 		return NEED_TECHNIQUE;
 	return need_of_space(map, min, max);

@@ -12,6 +12,7 @@ enum need {
 	NEED_AMBIENT,   /* beside the light's cone */
 	NEED_LIGHT,     /* no caster can be in front of it: no look-up at all */
 	NEED_MAP,       /* an ordinary shadow map */
+	NEED_BEHIND,    /* the technique, behind all casters */
 	NEED_TECHNIQUE, /* all that the technique does */
 	NEED_COUNT,
 };
@@ -24,6 +25,10 @@ struct need_map {
 	/* Of those cells that need the technique, where surfaces do that are farther than a
 	 * depth, window; NULL: all do. For the caller to set, and not owned. */
 	const struct screen_depths *soft;
+	/* The window depth that no caster over a cell is behind, [SCREEN_GRID_SIZE *
+	 * SCREEN_GRID_SIZE]; for the caller to set, not owned. NULL, at first: nothing is behind.
+	 */
+	const float *farthest;
 	float cone; /* half the width of the light's cone, NDC: beside it there is no light. For the
 		       caller to set; INFINITY at first. */
 };
@@ -37,14 +42,13 @@ void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const stru
 	const struct light_frame *frame, const struct screen_grid *soft, bool soft_is_all,
 	float reach, uint32_t map_size);
 
-/** Of surfaces in a box of the light's screen, NDC. */
-enum need need_of_space(const struct need_map *map, const float min[2], const float max[3]);
+/** Of surfaces in a box of the light's NDC. */
+enum need need_of_space(const struct need_map *map, const float min[3], const float max[3]);
 
 /** Of surfaces inside a box; to_light_clip: from the box's space to the light's clip space. */
 enum need need_of_box(const struct need_map *map, mat4 to_light_clip, const struct cluster *box);
 
-/** The rectangle of a screen (NDC) that a box takes, and its greatest depth; false if it reaches
- *  behind the eye. */
-bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[2], float max[3]);
+/** The extent in NDC that a box has; false if it reaches behind the eye. */
+bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[3], float max[3]);
 
 #endif

@@ -223,7 +223,7 @@ static bool is_large(
 	const struct surface_pass *pass, const struct object *object, const struct gpu_mesh *mesh)
 {
 	mat4 to_clip;
-	float min[2], max[3];
+	float min[3], max[3];
 	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
 	if (!box_on_screen(to_clip, mesh->clusters, min, max))
 		return true;
@@ -248,6 +248,8 @@ static uint64_t flags_of(const struct surface_pass *pass, uint64_t all, enum nee
 		return lit;
 	case NEED_MAP:
 		return lit | pass->renderer->shadows.map_flags;
+	case NEED_BEHIND:
+		return all & FLAG_EDGES ? all | FLAG_BEHIND : all;
 	default:
 		return all;
 	}
@@ -296,26 +298,30 @@ static bool draw_need(struct surface_pass *pass, const struct object *object,
 {
 	const struct technique *technique = pass->renderer->shadows.technique;
 	uint64_t needed = flags_of(pass, flags, need);
-	if (need != NEED_TECHNIQUE || pass->cells == NULL)
+	if (need < NEED_BEHIND || pass->cells == NULL)
 		return draw_part(pass, object, tiles, need, needed, error);
 	if (!pass->first || way_choose(&pass->renderer->gpu, DRIVER_BRANCH, NULL) == BRANCH_SHADER)
 		return draw_part(pass, object, tiles, need, needed | FLAG_CELLS, error);
-	uint64_t known = (needed & ~technique->surface_flags(pass->shadow->state)) | FLAG_CELLS;
+	uint64_t edges = technique->surface_flags(pass->shadow->state) | FLAG_BEHIND;
+	uint64_t known = (needed & ~edges) | FLAG_CELLS;
 	return draw_part(pass, object, tiles, need, known, error) &&
 	       draw_part(pass, object, tiles, need, needed, error);
 }
 
-/* How many parts there are, and how many of them take less than the technique does. */
+/* How many parts there are, and how many of them do without the technique. */
 static void count_parts(
 	struct sm_renderer *renderer, const struct tiles *tiles, const struct gpu_mesh *mesh)
 {
 	size_t count = SCREEN_GRID_SIZE * SCREEN_GRID_SIZE, needy = 0;
-	if (tiles == NULL)
+	if (tiles == NULL) {
 		count = mesh->cluster_count;
-	else
-		needy = screen_grid_count(&tiles->of[NEED_TECHNIQUE]);
+	} else {
+		struct screen_grid all = tiles->of[NEED_TECHNIQUE];
+		screen_grid_unite(&all, &tiles->of[NEED_BEHIND]);
+		needy = screen_grid_count(&all);
+	}
 	for (size_t i = 0; tiles == NULL && i < count; i++)
-		needy += renderer->needs[i] == NEED_TECHNIQUE;
+		needy += renderer->needs[i] >= NEED_BEHIND;
 	skip_count(&renderer->gpu.skips, SKIP_RECEIVER, count, count - needy);
 }
 
@@ -400,6 +406,9 @@ static void map_needs(struct surface_pass *pass)
 	shadow->mapped = true;
 	shadow->needs.soft =
 		technique->soft_depths != NULL ? technique->soft_depths(shadow->state) : NULL;
+	/* Receivers are drawn alike wherever they lie. */
+	bool alike = technique->farthest == NULL || pass->flags & FLAG_RECEIVERS;
+	shadow->needs.farthest = alike ? NULL : technique->farthest(shadow->state);
 	/* Where a screen is fitted the cone can change and the screen not. */
 	shadow->needs.cone = cone_of(pass);
 }

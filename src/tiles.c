@@ -54,7 +54,8 @@ static void cut_between(
 
 static enum need need_of_polygon(const struct need_map *map, const struct polygon *polygon)
 {
-	float min[2] = {INFINITY, INFINITY}, max[3] = {-INFINITY, -INFINITY, -INFINITY};
+	float min[3] = {INFINITY, INFINITY, INFINITY};
+	float max[3] = {-INFINITY, -INFINITY, -INFINITY};
 	int behind = 0;
 	for (int i = 0; i < polygon->count; i++) {
 		const float *p = polygon->corners[i].light;
@@ -63,11 +64,10 @@ static enum need need_of_polygon(const struct need_map *map, const struct polygo
 			behind++;
 			continue;
 		}
-		for (int axis = 0; axis < 2; axis++) {
+		for (int axis = 0; axis < 3; axis++) {
 			min[axis] = fminf(min[axis], p[axis] / p[3]);
 			max[axis] = fmaxf(max[axis], p[axis] / p[3]);
 		}
-		max[2] = fmaxf(max[2], p[2] / p[3]);
 	}
 	if (behind > 0)
 		return behind == polygon->count ? NEED_AMBIENT : NEED_TECHNIQUE;

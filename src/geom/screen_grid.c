@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/screen_grid.h"
+#include <math.h>
 #include <string.h>
 
 void screen_grid_clear(struct screen_grid *grid)
@@ -45,6 +46,19 @@ bool screen_grid_touches(const struct screen_grid *grid, const float min[2], con
 	for (int row = first_row; row <= last_row; row++)
 		found |= grid->rows[row];
 	return (found & bits_between(first, last)) != 0;
+}
+
+float screen_grid_most(const float *of, const float min[2], const float max[2])
+{
+	int first, last, first_row, last_row;
+	float most = 0.0f;
+	if (!screen_cells_between(min[0], max[0], SCREEN_GRID_SIZE, &first, &last) ||
+		!screen_cells_between(min[1], max[1], SCREEN_GRID_SIZE, &first_row, &last_row))
+		return most;
+	for (int row = first_row; row <= last_row; row++)
+		for (int x = first; x <= last; x++)
+			most = fmaxf(most, of[row * SCREEN_GRID_SIZE + x]);
+	return most;
 }
 
 int screen_grid_run_end(const struct screen_grid *grid, int x, int row)

@@ -30,6 +30,10 @@ void screen_grid_add(struct screen_grid *grid, const struct screen_point *points
 /** Whether a marked cell touches the rectangle. */
 bool screen_grid_touches(const struct screen_grid *grid, const float min[2], const float max[2]);
 
+/** The most of what cells that touch the rectangle have; 0 beside the screen. of: not below 0,
+ *  [SCREEN_GRID_SIZE * SCREEN_GRID_SIZE], row after row. */
+float screen_grid_most(const float *of, const float min[2], const float max[2]);
+
 /** End of the run of cells that starts at x in the row, all marked or all not: x < end <= size. */
 int screen_grid_run_end(const struct screen_grid *grid, int x, int row);
 

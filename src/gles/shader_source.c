@@ -51,6 +51,7 @@ static const struct {
 	FLAG(RECEIVERS),
 	FLAG(FOUND),
 	FLAG(COARSE),
+	FLAG(BEHIND),
 #undef FLAG
 };
 
@@ -155,7 +156,7 @@ static const struct {
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
 				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS |
-				 FLAG_COARSE,
+				 FLAG_COARSE | FLAG_BEHIND,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -334,6 +335,7 @@ static bool surface_is_valid(uint64_t flags)
 	       implies(flags, FLAG_SPLIT, FLAG_VSM) &&
 	       implies(flags, FLAG_POINTS, FLAG_VISIBILITY) &&
 	       implies(flags, FLAG_RUNS, FLAG_EDGES) && implies(flags, FLAG_COARSE, FLAG_EDGES) &&
+	       implies(flags, FLAG_BEHIND, FLAG_EDGES) &&
 	       excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&

@@ -108,6 +108,14 @@ static const struct screen_grid *auto_soft_grid(const void *state)
 					    : NULL;
 }
 
+static const float *auto_farthest(const void *state)
+{
+	const struct choice *choice = state;
+	const struct technique *technique = picks[choice->pick];
+	return technique->farthest != NULL ? technique->farthest(choice->states[choice->pick])
+					   : NULL;
+}
+
 static enum sm_sampling auto_sampling(void *state, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct technique_view *view)
 {
@@ -159,6 +167,7 @@ const struct technique technique_auto = {
 	.surface_flags = auto_surface_flags,
 	.soft_grid = auto_soft_grid,
 	.needs_parts = true,
+	.farthest = auto_farthest,
 	.soft_is_all = true,
 	.sampling = auto_sampling,
 	.fits_screen = true,

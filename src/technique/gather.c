@@ -29,6 +29,7 @@ struct gather {
 	struct list_table runs, vertices;
 	struct edge_grid grid;
 	struct screen_grid soft;
+	float farthest[SCREEN_GRID_SIZE * SCREEN_GRID_SIZE]; /* of casters over a cell; 0: none */
 	struct depth_map hard; /* of a light that is a point; made when there is one */
 	bool point;
 	bool sparse; /* by itself, in the last frame */
@@ -144,21 +145,24 @@ static void upload_tiles(struct gather *gather, struct gpu *gpu)
 	gl_fill_texture(&gpu->gl, gather->tiles, &as, side, side, gather->grid.of);
 }
 
-/* Whether there is an edge to add up or a caster to be behind. Tiles are 32, 64 or 128 a side. */
-static bool cell_is_soft(const struct edge_grid *grid, int x, int row)
+/* Whether there is an edge to add up or a caster to be behind, and how far casters reach. Tiles are
+ * 32, 64 or 128 a side. */
+static bool cell_is_soft(const struct edge_grid *grid, int x, int row, float *farthest)
 {
 	uint32_t tiles = grid->tiles, first[2] = {(uint32_t)x, (uint32_t)row}, end[2];
 	for (int axis = 0; axis < 2; axis++) {
 		end[axis] = ((first[axis] + 1) * tiles + SCREEN_GRID_SIZE - 1) / SCREEN_GRID_SIZE;
 		first[axis] = first[axis] * tiles / SCREEN_GRID_SIZE;
 	}
+	bool edges = false;
+	*farthest = 0.0f;
 	for (uint32_t j = first[1]; j < end[1]; j++)
 		for (uint32_t i = first[0]; i < end[0]; i++) {
 			const struct edge_tile *tile = &grid->of[j * tiles + i];
-			if (edge_tile_count(tile) > 0 || tile->farthest > 0.0f)
-				return true;
+			edges = edges || edge_tile_count(tile) > 0;
+			*farthest = fmaxf(*farthest, tile->farthest);
 		}
-	return false;
+	return edges || *farthest > 0.0f;
 }
 
 static void mark_soft(struct gather *gather)
@@ -167,7 +171,8 @@ static void mark_soft(struct gather *gather)
 	screen_grid_clear(&gather->soft);
 	for (int row = 0; row < SCREEN_GRID_SIZE; row++)
 		for (int x = 0; x < SCREEN_GRID_SIZE; x++)
-			if (cell_is_soft(grid, x, row))
+			if (cell_is_soft(
+				    grid, x, row, &gather->farthest[row * SCREEN_GRID_SIZE + x]))
 				gather->soft.rows[row] |= (uint64_t)1 << x;
 }
 
@@ -282,6 +287,12 @@ static const struct screen_grid *gather_soft_grid(const void *state)
 {
 	const struct gather *gather = state;
 	return gather->point ? NULL : &gather->soft;
+}
+
+static const float *gather_farthest(const void *state)
+{
+	const struct gather *gather = state;
+	return gather->point ? NULL : gather->farthest;
 }
 
 /* The widest penumbra, in pixels where the light's screen is as high as the view, from which on
@@ -404,6 +415,7 @@ const struct technique technique_gather = {
 	.surface_flags = gather_surface_flags,
 	.soft_grid = gather_soft_grid,
 	.needs_parts = true,
+	.farthest = gather_farthest,
 	.soft_is_all = true,
 	.sampling = gather_sampling,
 	.casters = gather_casters,

@@ -75,6 +75,9 @@ struct technique {
 	 *  variances are of receivers as well, and visibility that was found before may be of
 	 *  another surface in the same pixel. */
 	bool needs_parts;
+	/** The window depth that no caster over a cell of that is behind, row after row, for
+	 *  FLAG_BEHIND; owned by the state. NULL, or returns NULL: not known. */
+	const float *(*farthest)(const void *state);
 	bool soft_is_all; /* elsewhere nothing is darkened at all */
 	/** Chooses, once a frame and light, for which pixels visibility is found, and when
 	 *  (src/sparse_pass.h, src/deferred_pass.h). NULL: for each, with its surface. */

@@ -47,6 +47,7 @@ static const struct {
 	{FLAG_PEEL, "PEEL"},
 	{FLAG_RUNS, "RUNS"},
 	{FLAG_COARSE, "COARSE"},
+	{FLAG_BEHIND, "BEHIND"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -145,23 +146,24 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_EXACT_COPY], 1);
 	const size_t taps = 1 + plain;       /* gathered, or fetched from plain depths */
 	const size_t comparison = 2 + plain; /* by the sampler, gathered, or fetched */
-	const size_t shadows = comparison +  /* hard */
-			       3 * taps +    /* smoothies, with no or own depth, or alpha too */
-			       taps +        /* two-sided smoothies */
-			       taps +        /* bicubic */
-			       3 * plain +   /* pcss: plain depths, and one of three comparisons */
-			       comparison +  /* maps */
-			       2 * 2 +     /* variance maps, filtered or fetched, whole or split */
-			       2 * 2 * 2 + /* gather, for each pixel or what cells leave out, whole
-					      lists or runs, on fine or coarse raster grids */
-			       1 +         /* cells */
-			       1;          /* what was found before surfaces */
+	/* Whole lists or runs, on fine or coarse raster grids, anywhere or behind all casters. */
+	const size_t edges = 2 * 2 * 2;
+	const size_t shadows = comparison + /* hard */
+			       3 * taps +   /* smoothies, with no or own depth, or alpha too */
+			       taps +       /* two-sided smoothies */
+			       taps +       /* bicubic */
+			       3 * plain +  /* pcss: plain depths, and one of three comparisons */
+			       comparison + /* maps */
+			       2 * 2 +      /* variance maps, filtered or fetched, whole or split */
+			       2 * edges +  /* gather, for each pixel or what cells leave out */
+			       1 +          /* cells */
+			       1;           /* what was found before surfaces */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
 	/* What was seen before has no picture of visibility; points without light or shadow, or
-	 * with gather of either lists on either grid; receivers without light or shadow, or with
-	 * one on either grid, as visibility or not. */
-	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + 2 * 2 + 4 * 2);
+	 * with each gather; receivers without light or shadow, or with one on either grid, as
+	 * visibility or not. */
+	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + edges + 4 * 2);
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
 	/* Whole lists or runs, on a fine raster grid or a coarse one. */
 	assert_int_equal(counts[PROGRAM_FIND], 2 * 2);
