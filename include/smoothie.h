@@ -379,7 +379,8 @@ struct sm_frame_stats {
 	uint64_t fin_vertices;
 	uint64_t fins_left_out; /**< of the silhouette edges: nowhere wider than half a texel, so
 				     that they have none */
-	uint64_t uploaded_bytes;
+	uint64_t fin_bytes; /**< uploaded for fins, whose silhouettes may be of a frame before */
+	uint64_t uploaded_bytes; /**< for everything */
 	double silhouette_ms; /**< processor time for silhouettes and fins; with another precision
 				   than float, for all polygons */
 	/** Since the renderer was created, also for screens: programs compiled from source, and

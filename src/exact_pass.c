@@ -234,7 +234,7 @@ static bool find(struct exact *exact, struct gpu *gpu, const struct sm_scene *sc
 		return error_no_memory(error);
 	gpu->stats.silhouette_ms += processor_ms() - start;
 	gpu->stats.silhouette_edges += exact->scene.fins.edge_count;
-	gpu->stats.fin_vertices += exact->scene.fins.vertex_count;
+	gpu->stats.fin_vertices += 4 * exact->scene.fins.count;
 	return true;
 }
 

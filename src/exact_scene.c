@@ -117,17 +117,17 @@ static bool add_fins(
 	const struct fin_shape shape = {.width = view->fin_width, .share = SMOOTHIE_WIDTH_SHARE};
 	if (!fin_set_find(&exact->fins, scene, view->frame, &shape, view->map_size, false))
 		return false;
-	for (size_t first = 0; first < exact->fins.vertex_count; first += 4) {
+	struct fin_vertex quad[FIN_VERTICES_MAX];
+	for (size_t fin = 0; fin < exact->fins.count; fin++) {
 		struct fixed_fin_corner corners[4];
-		for (size_t i = 0; i < 4; i++) {
-			const struct fin_vertex *vertex = &exact->fins.vertices[first + i];
+		fin_set_expand(&exact->fins, fin, quad);
+		for (size_t i = 0; i < 4; i++)
 			corners[i] = (struct fixed_fin_corner){
-				.position = {vertex->position[0], vertex->position[1],
-					vertex->position[2]},
-				.offset = {vertex->offset[0], vertex->offset[1]},
-				.width = vertex->width,
+				.position = {quad[i].position[0], quad[i].position[1],
+					quad[i].position[2]},
+				.offset = {quad[i].offset[0], quad[i].offset[1]},
+				.width = quad[i].width,
 			};
-		}
 		if (!fixed_add_fin(&exact->fixed.fins, &screen, corners))
 			return false;
 	}

@@ -342,6 +342,7 @@ static void print_stats(const struct render *render, FILE *file)
 	facts_format(&facts, "silhouette edges left out", "%" PRIu64, stats.edges_left_out);
 	facts_format(&facts, "fins left out", "%" PRIu64, stats.fins_left_out);
 	facts_format(&facts, "fin vertices", "%" PRIu64, stats.fin_vertices);
+	facts_format(&facts, "fin bytes", "%" PRIu64, stats.fin_bytes);
 	facts_format(&facts, "uploaded bytes", "%" PRIu64, stats.uploaded_bytes);
 	facts_format(&facts, "silhouette time", "%.3f ms", stats.silhouette_ms);
 	driver_options_describe_skips(render->renderer, &facts);

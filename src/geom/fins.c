@@ -6,24 +6,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/*
- * Along a silhouette edge p0 -> p1 with outward normal n and widths w0, w1 lies the quad p0, p1,
- * p1 + n w1, p0 + n w0. Its offsets are 0, 0, n w1, n w0 and its widths w0, w1, w1, w0. Both are
- * affine over the whole trapezoid (offset is n times the distance from the edge; width changes
- * along it alone), so that its two triangles interpolate the same functions. As w = 1 everywhere,
- * interpolation is linear on the screen; so are the laws of width, since 1 / w and z of a straight
- * line are linear after projection.
- *
- * Around a corner at p, offset is the vertex minus p and width is constant: alpha is the distance
- * from p, whatever the quad. It has to cover the sector of radius w between two normals; beyond
- * that alpha is at least 1, and where fins overlap the lowest alpha wins and is right.
- */
-
 #define NO_END UINT32_MAX
 
-/* In NDC. Far beyond the screen, [-1, 1], and any fin that reaches it; near enough that floats
- * there still step by less than a texel of the largest shadow map. */
-#define NDC_LIMIT 1024.0
+#define NDC_LIMIT ((double)FIN_NDC_LIMIT)
 
 /* Silhouette and light space are given in float: ends of an edge that are no more than a few float
  * steps apart, relative to their coordinates, have no direction but that of rounding. */
@@ -31,7 +16,6 @@
 
 struct fin_end {
 	float position[3]; /* NDC */
-	float width;       /* NDC */
 	float drawn;       /* NDC: of the width */
 };
 
@@ -48,70 +32,43 @@ static struct fin_edge *edge_of(const struct fin_scratch *scratch, uint32_t end)
 	return &scratch->edges[end / 2];
 }
 
-struct quad_writer {
+struct fin_writer {
 	const struct fin_params *params;
-	float side; /* that is written: 1 outside, -1 inside */
-	struct fin_vertex *out;
+	struct fin *out;
 	size_t capacity, count;
 	size_t left_out_count;
 };
 
-static void write_vertex(struct fin_vertex *out, const struct quad_writer *writer,
-	const struct fin_end *end, const float offset[2])
+static void write(struct fin_writer *writer, const struct fin *fin)
 {
-	float x = writer->side * end->drawn * offset[0], y = writer->side * end->drawn * offset[1];
-	*out = (struct fin_vertex){
-		.position = {end->position[0] + x, end->position[1] + y, end->position[2]},
-		.offset = {x, y},
-		.width = writer->side * end->width,
-	};
+	if (writer->count < writer->capacity)
+		writer->out[writer->count] = *fin;
+	writer->count++;
 }
 
-/* offsets: of the four vertices from their ends, in widths as drawn, as if outside */
-static void write_quad(
-	struct quad_writer *writer, const struct fin_end *const ends[4], const float offsets[4][2])
+static void write_edge(struct fin_writer *writer, const struct fin_edge *edge)
 {
-	if (writer->capacity - writer->count >= 4 && writer->count <= writer->capacity) {
-		for (int i = 0; i < 4; i++)
-			write_vertex(&writer->out[writer->count + (size_t)i], writer, ends[i],
-				offsets[i]);
-	}
-	writer->count += 4;
-}
-
-static void write_edge(struct quad_writer *writer, const struct fin_edge *edge, float side)
-{
-	const struct fin_end *a = &edge->ends[0], *b = &edge->ends[1];
-	const float *n = edge->outward;
-	writer->side = side;
+	bool mirrored = writer->params->mirrored;
+	const struct fin_end *a = &edge->ends[mirrored], *b = &edge->ends[!mirrored];
 	if (fmaxf(a->drawn, b->drawn) > writer->params->finest)
-		write_quad(writer, (const struct fin_end *const[]){a, b, b, a},
-			(const float[4][2]){{0, 0}, {0, 0}, {n[0], n[1]}, {n[0], n[1]}});
+		write(writer, &(struct fin){
+				      .start = {a->position[0], a->position[1], a->position[2]},
+				      .end = {b->position[0], b->position[1], b->position[2]},
+			      });
 	else
 		writer->left_out_count++;
 }
 
-/* The sector between two unit normals; outer: unit, halfway between them, used when they are more
- * than a right angle apart. */
-static void write_corner(struct quad_writer *writer, const struct fin_end *end, const float n0[2],
-	const float n1[2], const float outer[2])
+/* The sector between two unit normals; halfway between is on the right of the way from the first to
+ * the second, if outside. */
+static void write_corner(struct fin_writer *writer, const struct fin_end *end, const float from[2],
+	const float to[2], float side)
 {
-	float gap = end->drawn * hypotf(n0[0] - n1[0], n0[1] - n1[1]);
-	if (!(gap > writer->params->finest))
+	float x = from[0] - to[0], y = from[1] - to[1], finest = writer->params->finest;
+	if (!(end->drawn * sqrtf(x * x + y * y) > finest))
 		return;
-	const struct fin_end *const ends[] = {end, end, end, end};
-	if (n0[0] * n1[0] + n0[1] * n1[1] >= 0.0f) {
-		/* A kite along the tangents; up to a right angle, the divisor is at least 2. */
-		float x = n0[0] + n1[0], y = n0[1] + n1[1];
-		float reach = 2.0f / (x * x + y * y);
-		write_quad(writer, ends,
-			(const float[4][2]){
-				{0, 0}, {n0[0], n0[1]}, {x * reach, y * reach}, {n1[0], n1[1]}});
-	} else {
-		float x = outer[0], y = outer[1];
-		write_quad(writer, ends,
-			(const float[4][2]){{-y, x}, {-y + x, x + y}, {y + x, -x + y}, {y, -x}});
-	}
+	struct fin fin = fin_around(end->position, from, to, side);
+	write(writer, &fin);
 }
 
 static bool normalise(float v[2], float shortest)
@@ -127,36 +84,24 @@ static bool normalise(float v[2], float shortest)
 
 /* Where one edge ends and one starts: a gap opens outside where the blocker, which is on their
  * left, turns left, and inside where it turns right; at a full turn back on either side. */
-static void write_simple_corner(
-	struct quad_writer *writer, const struct fin_edge *in, const struct fin_edge *out)
+static void write_simple_corner(struct fin_writer *writer, const struct fin_edge *in,
+	const struct fin_edge *out, float side)
 {
 	const float *d0 = in->direction, *d1 = out->direction;
 	float turn = d0[0] * d1[1] - d0[1] * d1[0];
 	float along = d0[0] * d1[0] + d0[1] * d1[1];
-	turn *= writer->params->mirrored ? -writer->side : writer->side;
+	bool turned = writer->params->mirrored != (side == FIN_INSIDE);
+	turn = turned ? -turn : turn;
 	if (turn < 0.0f || (turn == 0.0f && along >= 0.0f))
 		return;
-	float outer[2] = {writer->side * (d0[0] - d1[0]), writer->side * (d0[1] - d1[1])};
-	normalise(outer, 0.0f);
-	write_corner(writer, &in->ends[1], in->outward, out->outward, outer);
-}
-
-/* Halfway between two normals, also when they are opposite. */
-static void find_outer(const float n0[2], const float n1[2], float outer[2])
-{
-	outer[0] = n1[1] - n0[1];
-	outer[1] = n0[0] - n1[0];
-	if (outer[0] * (n0[0] + n1[0]) + outer[1] * (n0[1] + n1[1]) < 0.0f) {
-		outer[0] = -outer[0];
-		outer[1] = -outer[1];
-	}
-	normalise(outer, 0.0f);
+	write_corner(writer, &in->ends[1], turned ? out->outward : in->outward,
+		turned ? in->outward : out->outward, side);
 }
 
 /* Chan & Durand 2003, section 3, "Multiple edges": a shared fin along the mean of the normals,
  * joined to that of each edge. */
 static void write_shared_corner(
-	struct quad_writer *writer, const struct fin_scratch *scratch, uint32_t first)
+	struct fin_writer *writer, const struct fin_scratch *scratch, uint32_t first)
 {
 	float mean[2] = {0.0f, 0.0f};
 	float count = 0.0f;
@@ -171,28 +116,30 @@ static void write_shared_corner(
 		return;
 	for (uint32_t end = first; end != NO_END; end = edge_of(scratch, end)->next[end % 2]) {
 		const struct fin_edge *edge = edge_of(scratch, end);
-		float outer[2];
-		find_outer(mean, edge->outward, outer);
-		write_corner(writer, &edge->ends[end % 2], mean, edge->outward, outer);
+		const float *n = edge->outward;
+		bool left = mean[0] * n[1] - mean[1] * n[0] >= 0.0f;
+		write_corner(writer, &edge->ends[end % 2], left ? mean : n, left ? n : mean,
+			writer->params->both_sides ? FIN_BOTH : FIN_OUTSIDE);
 	}
 }
 
 static void write_corners_at(
-	struct quad_writer *writer, const struct fin_scratch *scratch, uint32_t first, float side)
+	struct fin_writer *writer, const struct fin_scratch *scratch, uint32_t first)
 {
 	const struct fin_edge *edge = edge_of(scratch, first);
 	uint32_t second = edge->next[first % 2];
 	if (second == NO_END)
 		return;
-	writer->side = side;
 	const struct fin_edge *other = edge_of(scratch, second);
-	bool simple = other->next[second % 2] == NO_END && first % 2 != second % 2;
-	if (!simple)
+	if (other->next[second % 2] != NO_END || first % 2 == second % 2) {
 		write_shared_corner(writer, scratch, first);
-	else if (first % 2 == 1)
-		write_simple_corner(writer, edge, other);
-	else
-		write_simple_corner(writer, other, edge);
+		return;
+	}
+	const struct fin_edge *in = first % 2 == 1 ? edge : other;
+	const struct fin_edge *out = first % 2 == 1 ? other : edge;
+	write_simple_corner(writer, in, out, FIN_OUTSIDE);
+	if (writer->params->both_sides)
+		write_simple_corner(writer, in, out, FIN_INSIDE);
 }
 
 /* The half-spaces whose intersection is kept, as p . plane >= 0 in clip space: in front of the near
@@ -246,41 +193,26 @@ static double clamp(double value, double min, double max)
 	return fmin(fmax(value, min), max);
 }
 
-static double width_at(const struct fin_params *params, double z, double w)
-{
-	switch (params->width) {
-	case FIN_WIDTH_CONSTANT:
-		return params->scale;
-	case FIN_WIDTH_PERSPECTIVE:
-		return params->scale / w; /* w > 0 after clipping */
-	case FIN_WIDTH_PARALLEL:
-		return params->scale * (1.0 - z) / 2.0;
-	}
-	return 0.0;
-}
-
-/* 1 - b/r for a receiver at the far plane: (1 - d) / (K - d) at window depth d <= 1 < K. Along an
- * edge it bulges above the straight line that is drawn, but times a width of scale / w it is
- * straight: fins of constant width are drawn in full. */
-static double drawn_share(const struct fin_params *params, double z)
-{
-	double d = (z + 1.0) / 2.0;
-	if (params->width != FIN_WIDTH_PERSPECTIVE || !(params->pole > 1.0f))
-		return 1.0;
-	return (1.0 - d) / (params->pole - d);
-}
-
 static struct fin_end end_of(
 	const struct fin_params *params, double x, double y, const double clip[4])
 {
-	double z = clamp(clip[2] / clip[3], -1.0, 1.0);
-	double width = clamp(width_at(params, z, clip[3]), 0.0, NDC_LIMIT);
+	float z = (float)clamp(clip[2] / clip[3], -1.0, 1.0);
 	return (struct fin_end){
-		.position = {(float)x, (float)y, (float)z},
-		.width = (float)width,
-		.drawn = (float)clamp(
-			width * drawn_share(params, z) + params->apron, 0.0, NDC_LIMIT),
+		.position = {(float)x, (float)y, z},
+		.drawn = fin_law_drawn(&params->law, z),
 	};
+}
+
+/* As fin_expand() finds it, so that corners meet the fins of their edges. */
+static void find_direction(const struct fin_params *params, struct fin_edge *edge)
+{
+	const float *a = edge->ends[0].position, *b = edge->ends[1].position;
+	float x = b[0] - a[0], y = b[1] - a[1], length = sqrtf(x * x + y * y);
+	float side = params->mirrored ? -1.0f : 1.0f;
+	edge->direction[0] = x / length;
+	edge->direction[1] = y / length;
+	edge->outward[0] = side * edge->direction[1];
+	edge->outward[1] = side * -edge->direction[0];
 }
 
 /* Sees an edge from the light; false if there is nothing to see. */
@@ -303,15 +235,9 @@ static bool project_edge(const struct fin_params *params, const float a[3], cons
 		edge->ends[i] = end_of(params, p[i][0], p[i][1], clip[i]);
 	}
 	double dx = p[1][0] - p[0][0], dy = p[1][1] - p[0][1];
-	double length = hypot(dx, dy);
-	if (length <= COINCIDENT * largest)
+	if (dx * dx + dy * dy <= COINCIDENT * largest * (COINCIDENT * largest))
 		return false;
-	float x = (float)(dx / length), y = (float)(dy / length);
-	float side = params->mirrored ? -1.0f : 1.0f;
-	edge->direction[0] = x;
-	edge->direction[1] = y;
-	edge->outward[0] = side * y;
-	edge->outward[1] = side * -x;
+	find_direction(params, edge);
 	return true;
 }
 
@@ -359,28 +285,26 @@ bool fin_scratch_reserve(
 	return ok;
 }
 
-size_t fins_max_vertices(size_t edge_count, bool both_sides)
+size_t fins_max(size_t edge_count)
 {
-	/* A quad an edge and one an end; saturates, so that allocating as much fails. */
-	size_t most = both_sides ? 24 : 12;
-	return edge_count <= SIZE_MAX / most ? most * edge_count : SIZE_MAX;
+	/* One an edge and one an end: a simple corner has two ends, if two sides. Saturates, so
+	 * that allocating as much fails. */
+	return edge_count <= SIZE_MAX / 3 ? 3 * edge_count : SIZE_MAX;
 }
 
 size_t fins_build(const struct caster *caster, const struct silhouette_edge *edges,
 	size_t edge_count, const struct fin_params *params, struct fin_scratch *scratch,
-	struct fin_vertex *out, size_t capacity)
+	struct fin *out, size_t capacity)
 {
 	assert(edge_count <= scratch->edge_capacity);
-	struct quad_writer writer = {.params = params, .out = out, .capacity = capacity};
+	struct fin_writer writer = {.params = params, .out = out, .capacity = capacity};
 	for (size_t e = 0; e < edge_count; e++) {
 		struct fin_edge *edge = &scratch->edges[e];
 		uint32_t a = edges[e].a, b = edges[e].b;
 		bool cut[2] = {false, false};
 		if (!project_edge(params, caster->positions[a], caster->positions[b], edge, cut))
 			continue;
-		write_edge(&writer, edge, 1.0f);
-		if (params->both_sides)
-			write_edge(&writer, edge, -1.0f);
+		write_edge(&writer, edge);
 		/* Where an edge is cut is no corner. */
 		if (!cut[0])
 			link_end(scratch, a, (uint32_t)(2 * e));
@@ -393,9 +317,7 @@ size_t fins_build(const struct caster *caster, const struct silhouette_edge *edg
 			uint32_t *first = &scratch->first[vertices[i]];
 			if (*first == NO_END)
 				continue;
-			write_corners_at(&writer, scratch, *first, 1.0f);
-			if (params->both_sides)
-				write_corners_at(&writer, scratch, *first, -1.0f);
+			write_corners_at(&writer, scratch, *first);
 			*first = NO_END;
 		}
 	}

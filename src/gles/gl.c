@@ -173,6 +173,20 @@ void gl_delete_program(struct gl *gl, GLuint *name)
 	*name = 0;
 }
 
+GLsync gl_create_fence(struct gl *gl)
+{
+	GLsync fence = gl->FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+	gl->objects += fence != NULL;
+	return fence;
+}
+
+void gl_delete_fence(struct gl *gl, GLsync *fence)
+{
+	gl->objects -= *fence != NULL;
+	gl->DeleteSync(*fence);
+	*fence = NULL;
+}
+
 bool gl_framebuffer_is_srgb(struct gl *gl, uint32_t framebuffer)
 {
 	GLint encoding = GL_LINEAR;

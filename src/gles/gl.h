@@ -27,6 +27,8 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(ATTACHSHADER, AttachShader) \
 	X(BINDATTRIBLOCATION, BindAttribLocation) \
 	X(BINDBUFFER, BindBuffer) \
+	X(BINDBUFFERBASE, BindBufferBase) \
+	X(BINDBUFFERRANGE, BindBufferRange) \
 	X(BINDFRAMEBUFFER, BindFramebuffer) \
 	X(BINDSAMPLER, BindSampler) \
 	X(BINDTEXTURE, BindTexture) \
@@ -38,6 +40,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
 	X(CLEARBUFFERFV, ClearBufferfv) \
 	X(CLEARBUFFERUIV, ClearBufferuiv) \
+	X(CLIENTWAITSYNC, ClientWaitSync) \
 	X(COMPILESHADER, CompileShader) \
 	X(CREATEPROGRAM, CreateProgram) \
 	X(CREATESHADER, CreateShader) \
@@ -46,6 +49,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(DELETEPROGRAM, DeleteProgram) \
 	X(DELETESAMPLERS, DeleteSamplers) \
 	X(DELETESHADER, DeleteShader) \
+	X(DELETESYNC, DeleteSync) \
 	X(DELETETEXTURES, DeleteTextures) \
 	X(DELETEVERTEXARRAYS, DeleteVertexArrays) \
 	X(DEPTHFUNC, DepthFunc) \
@@ -57,6 +61,7 @@ typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
 	X(DRAWELEMENTS, DrawElements) \
 	X(ENABLE, Enable) \
 	X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+	X(FENCESYNC, FenceSync) \
 	X(FINISH, Finish) \
 	X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
 	X(FRAMEBUFFERTEXTURELAYER, FramebufferTextureLayer) \
@@ -146,6 +151,9 @@ GLuint gl_create_framebuffer(struct gl *gl);
 void gl_delete_framebuffer(struct gl *gl, GLuint *name);
 GLuint gl_create_program(struct gl *gl);
 void gl_delete_program(struct gl *gl, GLuint *name);
+/** After all commands so far. NULL if the driver makes none. */
+GLsync gl_create_fence(struct gl *gl);
+void gl_delete_fence(struct gl *gl, GLsync *fence);
 
 /* What gives textures and buffers their memory is counted, and goes through these alone. All bind
  * what they fill; textures at the unit that is active. */

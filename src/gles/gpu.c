@@ -182,6 +182,7 @@ void gpu_restore_state(struct gpu *gpu)
 	gl->DepthRangef(0.0f, 1.0f);
 	gl->BindVertexArray(0);
 	gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+	gl->BindBufferBase(GL_UNIFORM_BUFFER, 0, 0);
 	gl->UseProgram(0);
 	for (GLuint unit = 0; unit < UNIT_COUNT; unit++) {
 		gl->ActiveTexture(GL_TEXTURE0 + unit);

@@ -11,8 +11,6 @@ enum attribute {
 	ATTRIBUTE_POSITION,
 	ATTRIBUTE_NORMAL,
 	ATTRIBUTE_UV,
-	ATTRIBUTE_OFFSET = ATTRIBUTE_NORMAL, /* fins */
-	ATTRIBUTE_WIDTH = ATTRIBUTE_UV,
 };
 
 /** As seen: 32 bytes, interleaved. */

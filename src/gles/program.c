@@ -44,16 +44,11 @@ static GLuint compile(
 	return 0;
 }
 
-static void bind_attributes(struct gl *gl, GLuint name, enum program_kind kind)
+static void bind_attributes(struct gl *gl, GLuint name)
 {
 	gl->BindAttribLocation(name, ATTRIBUTE_POSITION, "position");
-	if (kind == PROGRAM_FIN || kind == PROGRAM_TWO_SIDED_FIN) {
-		gl->BindAttribLocation(name, ATTRIBUTE_OFFSET, "offset");
-		gl->BindAttribLocation(name, ATTRIBUTE_WIDTH, "width");
-	} else {
-		gl->BindAttribLocation(name, ATTRIBUTE_NORMAL, "normal");
-		gl->BindAttribLocation(name, ATTRIBUTE_UV, "uv");
-	}
+	gl->BindAttribLocation(name, ATTRIBUTE_NORMAL, "normal");
+	gl->BindAttribLocation(name, ATTRIBUTE_UV, "uv");
 }
 
 static bool link_program(struct gl *gl, GLuint name, struct program_key key, struct sm_error *error)
@@ -64,7 +59,7 @@ static bool link_program(struct gl *gl, GLuint name, struct program_key key, str
 	if (fragment != 0) {
 		gl->AttachShader(name, vertex);
 		gl->AttachShader(name, fragment);
-		bind_attributes(gl, name, key.kind);
+		bind_attributes(gl, name);
 		gl->LinkProgram(name);
 		gl->GetProgramiv(name, GL_LINK_STATUS, &linked);
 		if (!linked) {

@@ -25,20 +25,31 @@ static void draw_texel(
 	drawing->draw(drawing->data, &texel);
 }
 
-void fins_draw(const struct fin_set *fins, const struct model_light *light,
+static void draw_quad(const struct raster_area *area, const struct fin_vertex quad[4],
 	void (*draw)(void *data, const struct fin_texel *texel), void *data)
 {
 	static const size_t halves[2][3] = {{0, 1, 2}, {0, 2, 3}};
-	struct raster_area area = model_map_area(light);
-	for (size_t half = 0; half < fins->vertex_count / 4 * 2; half++) {
+	for (size_t half = 0; half < 2; half++) {
 		struct drawing drawing = {.draw = draw, .data = data};
 		double clip[3][4];
 		for (int i = 0; i < 3; i++) {
-			drawing.corners[i] = &fins->vertices[half / 2 * 4 + halves[half % 2][i]];
+			drawing.corners[i] = &quad[halves[half][i]];
 			for (int axis = 0; axis < 3; axis++)
 				clip[i][axis] = drawing.corners[i]->position[axis];
 			clip[i][3] = 1.0;
 		}
-		raster_draw(&area, (const double(*)[4])clip, draw_texel, &drawing);
+		raster_draw(area, (const double(*)[4])clip, draw_texel, &drawing);
+	}
+}
+
+void fins_draw(const struct fin_set *fins, const struct model_light *light,
+	void (*draw)(void *data, const struct fin_texel *texel), void *data)
+{
+	struct raster_area area = model_map_area(light);
+	struct fin_vertex vertices[FIN_VERTICES_MAX];
+	for (size_t i = 0; i < fins->count; i++) {
+		size_t count = fin_set_expand(fins, i, vertices);
+		for (size_t first = 0; first < count; first += 4)
+			draw_quad(&area, vertices + first, draw, data);
 	}
 }

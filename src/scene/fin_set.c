@@ -10,36 +10,43 @@ bool fin_shape_has_width(const struct fin_shape *shape, const struct light_frame
 	return shape->width != 0.0f || frame->disc != 0.0f;
 }
 
-/* Of fins of whatever object. */
-static struct fin_params fin_params_of(
+/* What a search is for. */
+struct fin_search {
+	const struct sm_scene *scene;
+	const struct light_frame *frame;
+	const struct fin_shape *shape;
+	uint32_t map_size;
+	bool on_screen;
+};
+
+static struct fin_law fin_law_of(
 	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size)
 {
-	float texel = 2.0f / (float)map_size;
-	struct fin_params params = {
-		.pole = frame->pole,
-		.finest = shape->both_sides ? 0.0f : 0.5f * texel,
-		.apron = shape->apron * texel,
-		.both_sides = shape->both_sides,
-	};
-	if (shape->width > 0.0f) {
-		params.width = FIN_WIDTH_CONSTANT;
-		params.scale = 2.0f * shape->width; /* the screen is two units of NDC wide */
-		return params;
-	}
-	params.width = frame->parallel ? FIN_WIDTH_PARALLEL : FIN_WIDTH_PERSPECTIVE;
-	params.scale = shape->share * frame->disc / frame->half_extent;
-	if (frame->parallel)
-		params.scale *= frame->far - frame->near;
-	return params;
+	struct fin_law law;
+	float scale = shape->share * frame->disc / frame->half_extent;
+	if (shape->width > 0.0f)
+		law = fin_law_constant(2.0f * shape->width); /* the screen is two units wide */
+	else if (frame->parallel)
+		law = fin_law_parallel(scale * (frame->far - frame->near));
+	else
+		law = fin_law_perspective(scale, frame->near, frame->far);
+	fin_law_add_apron(&law, shape->apron * 2.0f / (float)map_size);
+	return law;
 }
 
-static void place_object(
-	struct fin_params *params, const struct light_frame *frame, const struct object *object)
+static struct fin_params fin_params_of(
+	const struct fin_set *set, const struct fin_search *search, const struct object *object)
 {
+	struct fin_params params = {
+		.law = set->law,
+		.finest = set->both_sides ? 0.0f : 1.0f / (float)search->map_size,
+		.both_sides = set->both_sides,
+		.mirrored = glm_mat4_det((vec4 *)object->transform) < 0.0f,
+	};
 	mat4 to_clip;
-	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, to_clip);
-	memcpy(params->object_to_clip, to_clip, sizeof(params->object_to_clip));
-	params->mirrored = glm_mat4_det((vec4 *)object->transform) < 0.0f;
+	glm_mat4_mul((vec4 *)search->frame->world_to_clip, (vec4 *)object->transform, to_clip);
+	memcpy(params.object_to_clip, to_clip, sizeof(params.object_to_clip));
+	return params;
 }
 
 static bool reserve_tracks(struct fin_set *set, size_t count)
@@ -55,14 +62,12 @@ static bool reserve_tracks(struct fin_set *set, size_t count)
 static bool append_fins(struct fin_set *set, const struct caster *caster,
 	const struct silhouette_track *track, const struct fin_params *params)
 {
-	size_t most = set->vertex_count + fins_max_vertices(track->edge_count, params->both_sides);
+	size_t most = set->count + fins_max(track->edge_count);
 	if (!fin_scratch_reserve(&set->scratch, caster, track->edge_count) ||
-		!array_reserve((void **)&set->vertices, &set->vertex_capacity, most,
-			sizeof(*set->vertices)))
+		!array_reserve((void **)&set->fins, &set->capacity, most, sizeof(*set->fins)))
 		return false;
-	set->vertex_count += fins_build(caster, track->edges, track->edge_count, params,
-		&set->scratch, set->vertices + set->vertex_count,
-		set->vertex_capacity - set->vertex_count);
+	set->count += fins_build(caster, track->edges, track->edge_count, params, &set->scratch,
+		set->fins + set->count, set->capacity - set->count);
 	set->left_out_count += set->scratch.left_out_count;
 	return true;
 }
@@ -75,7 +80,7 @@ void fin_set_finish(struct fin_set *set)
 	for (size_t i = 0; i < set->track_count; i++)
 		silhouette_track_finish(&set->tracks[i]);
 	free(set->tracks);
-	free(set->vertices);
+	free(set->fins);
 	*set = (struct fin_set){0};
 }
 
@@ -86,56 +91,80 @@ void fin_set_list_memory(const struct fin_set *set, const struct memory_list *li
 		tracks += silhouette_track_bytes(&set->tracks[i]);
 	memory_list_processor(list, "silhouettes: tracks", tracks);
 	memory_list_processor(list, "fins: corners", fin_scratch_bytes(&set->scratch));
-	memory_list_processor(list, "fins: vertices",
-		(set->vertex_capacity + set->before_capacity) * sizeof(*set->vertices));
+	memory_list_processor(
+		list, "fins: list", (set->capacity + set->before_capacity) * sizeof(*set->fins));
 	memory_list_processor(list, "fins: objects", set->part_capacity * sizeof(*set->parts));
 }
 
 /* A bound on how far a fin goes from its silhouette, NDC: at a corner it is longer than wide. What
  * is nearer than the near plane has none. */
-static float fin_reach(const struct fin_params *params, const struct light_frame *frame)
+static float fin_reach(const struct fin_law *law)
 {
-	float widest = params->width == FIN_WIDTH_PERSPECTIVE ? params->scale / frame->near
-							      : params->scale;
-	return 1.5f * (widest + params->apron);
+	return 1.5f * fin_law_drawn(law, -1.0f);
+}
+
+float fin_slack(int cells, uint32_t map_size)
+{
+	return 1.5f * (float)cells / (float)map_size;
+}
+
+static void mark_hull(struct fin_part *part, const struct fin_vertex *const around[4], float slack)
+{
+	static const uint8_t edges[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+	struct screen_point corners[4];
+	for (int i = 0; i < 4; i++) {
+		const float *position = around[i]->position;
+		corners[i] = (struct screen_point){position[0], position[1]};
+		screen_box_add_point(&part->box, position[0], position[1]);
+	}
+	screen_grid_add(&part->grid, corners, edges, 4, slack);
+}
+
+static void mark_fins(const struct fin_set *set, struct fin_part *part, uint32_t map_size)
+{
+	float slack = fin_slack(SCREEN_GRID_SIZE, map_size);
+	struct fin_vertex v[FIN_VERTICES_MAX];
+	for (size_t i = part->first; i < part->first + part->count; i++) {
+		size_t count = fin_set_expand(set, i, v);
+		if (count == 8 && set->fins[i].side < FIN_BOTH) {
+			/* Along an edge, both sides are one quad about it. */
+			mark_hull(part, (const struct fin_vertex *[]){&v[3], &v[2], &v[6], &v[7]},
+				slack);
+			continue;
+		}
+		for (const struct fin_vertex *quad = v; quad < v + count; quad += 4)
+			mark_hull(part,
+				(const struct fin_vertex *[]){quad, quad + 1, quad + 2, quad + 3},
+				slack);
+	}
 }
 
 float fin_shape_reach(
 	const struct fin_shape *shape, const struct light_frame *frame, uint32_t map_size)
 {
-	const struct fin_params params = fin_params_of(frame, shape, map_size);
-	return fin_reach(&params, frame);
+	const struct fin_law law = fin_law_of(frame, shape, map_size);
+	return fin_reach(&law);
 }
 
 /* Appends the fins of one caster. */
-static bool add_caster(struct fin_set *set, struct silhouette_track *track,
-	const struct caster *caster, const struct light_frame *frame, const struct object *object,
-	const struct fin_params *params, struct fin_part *part)
+static bool add_caster(struct fin_set *set, const struct fin_search *search,
+	const struct object *object, struct silhouette_track *track, struct fin_part *part)
 {
+	const struct caster *caster = &search->scene->meshes[object->mesh].caster;
+	struct fin_params params = fin_params_of(set, search, object);
 	mat4 to_object;
 	vec4 light;
 	glm_mat4_inv((vec4 *)object->transform, to_object);
-	glm_mat4_mulv(to_object, (float *)frame->origin, light);
+	glm_mat4_mulv(to_object, (float *)search->frame->origin, light);
 	if (!silhouette_track(track, caster, light, set->workers) ||
-		!append_fins(set, caster, track, params))
+		!append_fins(set, caster, track, &params))
 		return false;
 	part->edge_count = track->edge_count;
-	part->count = set->vertex_count - part->first;
-	for (size_t i = part->first; i < set->vertex_count; i++)
-		screen_box_add_point(
-			&part->box, set->vertices[i].position[0], set->vertices[i].position[1]);
+	part->count = set->count - part->first;
+	mark_fins(set, part, search->map_size);
 	set->edge_count += part->edge_count;
 	return true;
 }
-
-/* What a search is for. */
-struct fin_search {
-	const struct sm_scene *scene;
-	const struct light_frame *frame;
-	const struct fin_shape *shape;
-	uint32_t map_size;
-	bool on_screen;
-};
 
 static bool make_part(
 	struct fin_set *set, const struct fin_search *search, size_t index, bool left_out)
@@ -144,44 +173,41 @@ static bool make_part(
 	struct fin_part *part = &set->parts[index];
 	const struct light_frame *frame = search->frame;
 	const struct mesh *mesh = &search->scene->meshes[object->mesh];
-	*part = (struct fin_part){.first = set->vertex_count,
+	*part = (struct fin_part){.first = set->count,
 		.casts = object->casts && !left_out,
 		.fresh = true,
 		.box = screen_box_none()};
 	if (!part->casts)
 		return true;
-	struct fin_params params = fin_params_of(frame, search->shape, search->map_size);
-	place_object(&params, frame, object);
 	part->missing = search->on_screen &&
 			mesh_misses_screen(mesh, (vec4 *)object->transform,
-				(vec4 *)frame->world_to_clip, fin_reach(&params, frame), false);
-	return part->missing ||
-	       add_caster(set, &set->tracks[index], &mesh->caster, frame, object, &params, part);
+				(vec4 *)frame->world_to_clip, fin_reach(&set->law), false);
+	return part->missing || add_caster(set, search, object, &set->tracks[index], part);
 }
 
 /* Appends what the search before found. */
 static bool keep_part(struct fin_set *set, struct fin_part *part)
 {
-	if (!array_reserve((void **)&set->vertices, &set->vertex_capacity,
-		    set->vertex_count + part->count, sizeof(*set->vertices)))
+	if (!array_reserve((void **)&set->fins, &set->capacity, set->count + part->count,
+		    sizeof(*set->fins)))
 		return false;
 	if (part->count > 0)
-		memcpy(set->vertices + set->vertex_count, set->before + part->first,
-			part->count * sizeof(*set->vertices));
-	part->first = set->vertex_count;
+		memcpy(set->fins + set->count, set->before + part->first,
+			part->count * sizeof(*set->fins));
+	part->first = set->count;
 	part->fresh = false;
-	set->vertex_count += part->count;
+	set->count += part->count;
 	return true;
 }
 
-/* Has the vertices that some are kept of out of the way. */
+/* Has the fins that some are kept of out of the way. */
 static void set_aside(struct fin_set *set)
 {
-	struct fin_vertex *vertices = set->vertices;
-	size_t capacity = set->vertex_capacity;
-	set->vertices = set->before;
-	set->vertex_capacity = set->before_capacity;
-	set->before = vertices;
+	struct fin *fins = set->fins;
+	size_t capacity = set->capacity;
+	set->fins = set->before;
+	set->capacity = set->before_capacity;
+	set->before = fins;
 	set->before_capacity = capacity;
 }
 
@@ -210,9 +236,15 @@ static bool find_part(struct fin_set *set, const struct fin_search *search, size
 	return true;
 }
 
+size_t fin_set_expand(
+	const struct fin_set *set, size_t index, struct fin_vertex out[FIN_VERTICES_MAX])
+{
+	return fin_expand(&set->fins[index], &set->law, set->both_sides, out);
+}
+
 void fin_set_clear(struct fin_set *set)
 {
-	set->vertex_count = set->part_count = 0;
+	set->count = set->part_count = 0;
 	set->edge_count = set->caster_count = set->missing_count = set->left_out_count = 0;
 }
 
@@ -225,6 +257,8 @@ bool fin_set_update(struct fin_set *set, const struct sm_scene *scene,
 	fin_set_clear(set);
 	if (!fin_shape_has_width(shape, frame))
 		return true;
+	set->law = fin_law_of(frame, shape, map_size);
+	set->both_sides = shape->both_sides;
 	if (!reserve_tracks(set, scene->object_count) ||
 		!array_reserve((void **)&set->parts, &set->part_capacity, scene->object_count,
 			sizeof(*set->parts)))

@@ -4,6 +4,7 @@
 
 #include "base/memory_list.h"
 #include "geom/fins.h"
+#include "geom/screen_grid.h"
 #include "geom/silhouette_track.h"
 #include "scene/object_watch.h"
 
@@ -30,17 +31,20 @@ float fin_shape_reach(
 
 /** The fins of one object. */
 struct fin_part {
-	size_t first, count; /* vertices */
+	size_t first, count; /* of fins */
 	size_t edge_count;
 	bool casts, missing, fresh; /* fresh: not those of the search before */
-	struct screen_box box;
+	struct screen_box box;      /* around them */
+	struct screen_grid grid;    /* where surfaces that look them up may be */
 };
 
 /** The fins of all casters, as one light sees them. Zero is empty; memory is kept from one search
  * to the next. */
 struct fin_set {
-	struct fin_vertex *vertices; /* quads of four, in order around; owned */
-	size_t vertex_count;
+	struct fin *fins; /* owned */
+	size_t count;
+	struct fin_law law; /* of all */
+	bool both_sides;
 	struct fin_part *parts; /* of each object; owned */
 	size_t part_count;
 	size_t edge_count; /* of silhouettes that were looked for and fins are on */
@@ -49,10 +53,10 @@ struct fin_set {
 	struct workers *workers;            /* share the search of large meshes; not owned, may
 					       be NULL */
 	/* Working memory; owned */
-	struct fin_vertex *before;       /* what vertices were, where some are kept */
+	struct fin *before;              /* what fins were, where some are kept */
 	struct silhouette_track *tracks; /* of the scene's objects, as the light sees them */
 	struct fin_scratch scratch;
-	size_t track_count, vertex_capacity, before_capacity, part_capacity;
+	size_t track_count, capacity, before_capacity, part_capacity;
 };
 
 void fin_set_finish(struct fin_set *set);
@@ -74,6 +78,14 @@ bool fin_set_find(struct fin_set *set, const struct sm_scene *scene,
 bool fin_set_update(struct fin_set *set, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct fin_shape *shape, uint32_t map_size,
 	bool on_screen, const struct object_watch *watch, struct screen_box *changed);
+
+/** Cells, of so many a side, by which a surface may lie beside fins that it looks up in a map:
+ *  texels' centres lie up to one texel off, and half a texel more is for what rasterisers snap. */
+float fin_slack(int cells, uint32_t map_size);
+
+/** The quads of a fin, as fin_expand() has them. */
+size_t fin_set_expand(
+	const struct fin_set *set, size_t index, struct fin_vertex out[FIN_VERTICES_MAX]);
 
 /** Has the next search keep nothing. */
 void fin_set_clear(struct fin_set *set);

@@ -1,45 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/fin_stream.h"
-#include "base/array.h"
 #include "base/error.h"
 #include "base/processor_time.h"
 #include "technique/disc.h"
+#include <math.h>
 #include <stdlib.h>
+
+/* Fins of one draw, as in smoothie_fin.vert: the most that are a whole number of the offsets which
+ * uniform buffers may be bound at, 256 bytes at most, in the least size that a block may have, 16
+ * KiB (OpenGL ES 3.0, table 6.32). */
+#define BLOCK_FINS 672
+
+_Static_assert(sizeof(struct fin) == 24, "three vectors of four are two fins");
+_Static_assert(BLOCK_FINS * sizeof(struct fin) % 256 == 0, "no block starts amid an offset");
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu)
 {
-	struct gl *gl = &gpu->gl;
 	stream->set.workers = &gpu->workers;
-	stream->array = gl_create_vertex_array(gl);
-	stream->buffer = gl_create_buffer(gl, STORAGE_FINS);
-	gl->BindVertexArray(stream->array);
-	gl->BindBuffer(GL_ARRAY_BUFFER, stream->buffer);
-	static const struct {
-		enum attribute attribute;
-		GLint size;
-		size_t offset;
-	} layout[] = {
-		{ATTRIBUTE_POSITION, 3, offsetof(struct fin_vertex, position)},
-		{ATTRIBUTE_OFFSET, 2, offsetof(struct fin_vertex, offset)},
-		{ATTRIBUTE_WIDTH, 1, offsetof(struct fin_vertex, width)},
-	};
-	for (size_t i = 0; i < sizeof(layout) / sizeof(layout[0]); i++) {
-		gl->EnableVertexAttribArray(layout[i].attribute);
-		gl->VertexAttribPointer(layout[i].attribute, layout[i].size, GL_FLOAT, GL_FALSE,
-			sizeof(struct fin_vertex), (const void *)layout[i].offset);
-	}
-	gl->BindVertexArray(0);
+	stream->array = gl_create_vertex_array(&gpu->gl);
 }
 
 void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu)
 {
 	gl_delete_vertex_array(&gpu->gl, &stream->array);
-	gl_delete_buffer(&gpu->gl, &stream->buffer);
+	upload_ring_finish(&stream->ring, &gpu->gl);
 	fin_set_finish(&stream->set);
 	object_watch_finish(&stream->receivers);
-	free(stream->grids);
 	free(stream->depths);
-	stream->grids = NULL;
 	stream->depths = NULL;
 }
 
@@ -47,48 +34,8 @@ void fin_stream_list_memory(const struct fin_stream *stream, const struct memory
 {
 	fin_set_list_memory(&stream->set, list);
 	object_watch_list_memory(&stream->receivers, list);
-	memory_list_processor(list, "fins: grids",
-		stream->grid_capacity * sizeof(*stream->grids) +
-			(stream->depths != NULL ? sizeof(*stream->depths) : 0));
-}
-
-static const uint8_t quad_edges[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-
-/* Cells by which a surface may lie beside texels that it looks up, whose centres lie up to one
- * texel off; half a texel more for what the rasteriser snaps. */
-static float slack_of(int cells, GLsizei map_size)
-{
-	return 1.5f * (float)cells / (float)map_size;
-}
-
-static void mark_part(struct screen_grid *grid, const struct fin_set *set,
-	const struct fin_part *part, GLsizei map_size)
-{
-	float slack = slack_of(SCREEN_GRID_SIZE, map_size);
-	screen_grid_clear(grid);
-	for (size_t quad = part->first; quad < part->first + part->count; quad += 4) {
-		struct screen_point corners[4];
-		for (int i = 0; i < 4; i++)
-			corners[i] =
-				(struct screen_point){set->vertices[quad + (size_t)i].position[0],
-					set->vertices[quad + (size_t)i].position[1]};
-		screen_grid_add(grid, corners, quad_edges, 4, slack);
-	}
-}
-
-static bool mark_fins(struct fin_stream *stream, GLsizei map_size)
-{
-	const struct fin_set *set = &stream->set;
-	screen_grid_clear(&stream->grid);
-	if (!array_reserve((void **)&stream->grids, &stream->grid_capacity, set->part_count,
-		    sizeof(*stream->grids)))
-		return false;
-	for (size_t i = 0; i < set->part_count; i++) {
-		if (set->parts[i].fresh)
-			mark_part(&stream->grids[i], set, &set->parts[i], map_size);
-		screen_grid_unite(&stream->grid, &stream->grids[i]);
-	}
-	return true;
+	memory_list_processor(
+		list, "fins: depths", stream->depths != NULL ? sizeof(*stream->depths) : 0);
 }
 
 /* Of all casters that have changed. changed: widened to where fins were or are that have. */
@@ -100,9 +47,11 @@ static bool find_fins(struct fin_stream *stream, struct gpu *gpu, const struct s
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
 	bool built = fin_set_update(&stream->set, scene, frame, shape, (uint32_t)map_size,
-			     !gpu->skips.off[SKIP_CASTER], &casters->watch, changed) &&
-		     mark_fins(stream, map_size);
+		!gpu->skips.off[SKIP_CASTER], &casters->watch, changed);
+	screen_grid_clear(&stream->grid);
 	if (built) {
+		for (size_t i = 0; i < stream->set.part_count; i++)
+			screen_grid_unite(&stream->grid, &stream->set.parts[i].grid);
 		skip_count(&gpu->skips, SKIP_CASTER, stream->set.caster_count,
 			stream->set.missing_count);
 		gpu->stats.silhouette_edges += stream->set.edge_count;
@@ -170,23 +119,35 @@ static bool draw_receivers(struct fin_stream *stream, struct gpu *gpu, const str
 
 static void add_depths(struct screen_depths *depths, const struct fin_vertex quad[4], float slack)
 {
+	static const uint8_t edges[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
 	struct screen_point corners[4];
 	float least = INFINITY;
 	for (int i = 0; i < 4; i++) {
 		corners[i] = (struct screen_point){quad[i].position[0], quad[i].position[1]};
 		least = fminf(least, 0.5f * quad[i].position[2] + 0.5f - DEPTH_ROUNDING);
 	}
-	screen_depths_add(depths, corners, quad_edges, 4, slack, least);
+	screen_depths_add(depths, corners, edges, 4, slack, least);
+}
+
+static void add_part_depths(struct screen_depths *depths, const struct fin_set *set,
+	const struct fin_part *part, float slack)
+{
+	struct fin_vertex v[FIN_VERTICES_MAX];
+	for (size_t i = part->first; i < part->first + part->count; i++) {
+		size_t count = fin_set_expand(set, i, v);
+		for (const struct fin_vertex *quad = v; quad < v + count; quad += 4)
+			add_depths(depths, quad, slack);
+	}
 }
 
 /* Where fins have changed in a part of the screen. */
 static bool find_depths(struct fin_stream *stream, GLsizei map_size, const struct screen_box *part)
 {
 	const float cell = 2.0f / SCREEN_DEPTHS_SIZE;
-	const float slack = slack_of(SCREEN_DEPTHS_SIZE, map_size);
+	const float slack = fin_slack(SCREEN_DEPTHS_SIZE, (uint32_t)map_size);
 	const struct fin_set *set = &stream->set;
 	struct screen_box cleared = screen_box_widened(part, slack * cell);
-	if (stream->depths == NULL && set->vertex_count == 0)
+	if (stream->depths == NULL && set->count == 0)
 		return true;
 	if (stream->depths == NULL) {
 		stream->depths = malloc(sizeof(*stream->depths));
@@ -198,9 +159,8 @@ static bool find_depths(struct fin_stream *stream, GLsizei map_size, const struc
 	const struct screen_box reach = screen_box_widened(&cleared, (slack + 1.0f) * cell);
 	for (size_t i = 0; i < set->part_count; i++) {
 		const struct fin_part *fins = &set->parts[i];
-		for (size_t j = 0; screen_box_touches(&fins->box, &reach) && j < fins->count;
-			j += 4)
-			add_depths(stream->depths, &set->vertices[fins->first + j], slack);
+		if (screen_box_touches(&fins->box, &reach))
+			add_part_depths(stream->depths, set, fins, slack);
 	}
 	return true;
 }
@@ -215,7 +175,7 @@ static bool prepare(struct fin_stream *stream, struct gpu *gpu, const struct sm_
 	if (!find_fins(stream, gpu, scene, frame, shape, maps->casters, part, error) ||
 		!depth_map_look_at_receivers(&stream->receivers, scene, frame, part, error))
 		return false;
-	if (stream->set.vertex_count > 0 && depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY))
+	if (stream->set.count > 0 && depth_map_has_content(scene, DEPTH_OF_RECEIVERS_ONLY))
 		*flags |= FLAG_RECEIVER_MAP;
 	if (*flags != stream->drawn_flags)
 		*part = screen_box_all();
@@ -253,27 +213,39 @@ static size_t find_run(
 	return last;
 }
 
+static size_t sides_of(const struct fin_stream *stream)
+{
+	return stream->set.both_sides ? 2 : 1;
+}
+
+static size_t whole_blocks(size_t count)
+{
+	return count / BLOCK_FINS + (count % BLOCK_FINS > 0);
+}
+
 void fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct target *target,
 	const struct screen_box *part)
 {
 	const struct fin_set *set = &stream->set;
-	size_t size = sizeof(*set->vertices), used = 0;
+	struct gl *gl = &gpu->gl;
+	size_t size = sizeof(*set->fins), used = 0;
 	const struct screen_box reach = target_part_reach(target, part);
 	bool touches;
-	gl_fill_buffer(&gpu->gl, GL_ARRAY_BUFFER, stream->buffer, set->vertex_count * size, NULL,
-		GL_STREAM_DRAW);
+	upload_ring_turn(&stream->ring, gl, STORAGE_FINS, GL_UNIFORM_BUFFER,
+		whole_blocks(set->count) * BLOCK_FINS * size);
 	for (size_t first = 0, last; first < set->part_count; first = last + 1) {
 		last = find_run(set, first, &reach, &touches);
 		const struct fin_part *end = &set->parts[last];
 		size_t start = set->parts[first].first, count = end->first + end->count - start;
 		if (!touches || count == 0)
 			continue;
-		gpu->gl.BufferSubData(GL_ARRAY_BUFFER, (GLintptr)(used * size),
-			(GLsizeiptr)(count * size), set->vertices + start);
+		gl->BufferSubData(GL_UNIFORM_BUFFER, (GLintptr)(used * size),
+			(GLsizeiptr)(count * size), set->fins + start);
 		used += count;
 	}
-	stream->quads = used / 4;
-	gpu->stats.fin_vertices += used;
+	stream->uploaded = used;
+	gpu->stats.fin_vertices += 4 * sides_of(stream) * used;
+	gpu->stats.fin_bytes += used * size;
 	gpu->stats.uploaded_bytes += used * size;
 }
 
@@ -288,10 +260,27 @@ float fin_stream_spread(const struct light_frame *frame, GLsizei map_size)
 	return (float)map_size * disc_scale(frame);
 }
 
-bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, struct sm_error *error)
+static bool draw_block(struct fin_stream *stream, struct gpu *gpu, size_t first, size_t quads,
+	struct sm_error *error)
 {
-	if (stream->quads == 0)
-		return true;
+	size_t size = sizeof(*stream->set.fins);
+	gpu->gl.BindBufferRange(GL_UNIFORM_BUFFER, 0, upload_ring_buffer(&stream->ring),
+		(GLintptr)(first * size), (GLsizeiptr)(BLOCK_FINS * size));
+	return gpu_draw_quads(gpu, quads, error);
+}
+
+bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, const struct program *program,
+	struct sm_error *error)
+{
+	const struct fin_law *law = &stream->set.law;
+	gpu->gl.Uniform3f(program->uniform.fin_law, law->width_far, law->drawn_far, law->slope);
+	gpu->gl.Uniform1i(program->uniform.both_sides, stream->set.both_sides);
 	gpu->gl.BindVertexArray(stream->array);
-	return gpu_draw_quads(gpu, stream->quads, error);
+	for (size_t first = 0; first < stream->uploaded; first += BLOCK_FINS) {
+		size_t rest = stream->uploaded - first;
+		size_t count = rest < BLOCK_FINS ? rest : BLOCK_FINS;
+		if (!draw_block(stream, gpu, first, sides_of(stream) * count, error))
+			return false;
+	}
+	return true;
 }

@@ -4,22 +4,22 @@
 
 #include "geom/screen_depths.h"
 #include "geom/screen_grid.h"
+#include "gles/upload_ring.h"
 #include "scene/fin_set.h"
 #include "technique/depth_map.h"
 
-/** The fins of one light: found on the processor, where objects have changed, and drawn from one
- *  buffer, which holds those that are to be drawn again. */
+/** The fins of one light: found on the processor, where objects have changed, and drawn from a ring
+ *  of buffers, the current one of which holds those that are to be drawn again. */
 struct fin_stream {
-	GLuint array, buffer;
+	GLuint array; /* of no attributes: the vertex shader takes fins from a uniform block */
+	struct upload_ring ring;
 	struct fin_set set;
-	size_t quads;                  /* in the buffer */
+	size_t uploaded;               /* fins in the buffer */
 	struct object_watch receivers; /* of those that only receive */
 	uint64_t drawn_flags;          /* of the program that they were prepared for last */
 	struct screen_box held;        /* where they are */
 	struct screen_grid grid;       /* where surfaces that look them up may be */
-	struct screen_grid *grids;     /* the same of each object; owned */
-	size_t grid_capacity;
-	struct screen_depths *depths; /* of fins, window; owned; NULL until there are some */
+	struct screen_depths *depths;  /* of fins, window; owned; NULL until there are some */
 };
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu);
@@ -58,7 +58,8 @@ float fin_stream_reach(
  *  depth: for a spot R (1/b - 1/r) is proportional to that as well. */
 float fin_stream_spread(const struct light_frame *frame, GLsizei map_size);
 
-/** Draws the uploaded fins with the program in use; nothing when there are none. */
-bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, struct sm_error *error);
+/** Draws the uploaded fins with a program that is in use; nothing when there are none. */
+bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, const struct program *program,
+	struct sm_error *error);
 
 #endif

@@ -91,7 +91,7 @@ static bool draw_fins(struct smoothie *smoothie, struct gpu *gpu, const struct l
 		return false;
 	gpu->gl.Uniform1f(program->uniform.near_to_far, frame->near_to_far);
 	gpu->gl.Uniform1f(program->uniform.pole, frame->pole);
-	return fin_stream_draw(&smoothie->fins, gpu, error);
+	return fin_stream_draw(&smoothie->fins, gpu, program, error);
 }
 
 /* Draws fins into a part of a depth texture, which is cleared: the least is kept. */

@@ -79,7 +79,7 @@ static bool draw_fins(struct two_sided *two_sided, struct gpu *gpu, const struct
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	target_restrict(target_part(&two_sided->buffer, part), gl);
-	bool drawn = fin_stream_draw(&two_sided->fins, gpu, error);
+	bool drawn = fin_stream_draw(&two_sided->fins, gpu, program, error);
 	gl->Disable(GL_SCISSOR_TEST);
 	return drawn;
 }

@@ -123,7 +123,7 @@ static void test_stats_name_every_stage(void **state)
 	static const char *const keys[] = {"process start", "load scene", "open device",
 		"create renderer", "first frame", "read back", "write PNG", "total", "draw calls",
 		"silhouette edges", "silhouette edges left out", "fins left out", "fin vertices",
-		"uploaded bytes", "silhouette time", "skipped, volume"};
+		"fin bytes", "uploaded bytes", "silhouette time", "skipped, volume"};
 	struct outcome outcome = RUN("render", CYLINDER, "--size", "8x8", "--stats");
 	assert_int_equal(outcome.status, 0);
 	for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++) {

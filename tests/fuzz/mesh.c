@@ -33,6 +33,15 @@ static float *take_array(struct numbers *numbers, size_t count)
 	return values;
 }
 
+static struct fin_law take_law(struct numbers *numbers)
+{
+	uint8_t kind = take_byte(numbers) % 3;
+	float scale = take_float(numbers), near = take_float(numbers);
+	if (kind == 0)
+		return fin_law_constant(scale);
+	return kind == 1 ? fin_law_perspective(scale, near, 3.0f * near) : fin_law_parallel(scale);
+}
+
 static void read_subject(struct numbers *numbers, struct subject *subject)
 {
 	*subject = (struct subject){.flags = take_byte(numbers)};
@@ -47,9 +56,7 @@ static void read_subject(struct numbers *numbers, struct subject *subject)
 	subject->transform[15] = 1.0f;
 
 	struct fin_params *params = &subject->params;
-	params->width = take_byte(numbers) % 3;
-	params->scale = take_float(numbers);
-	params->pole = take_float(numbers);
+	params->law = take_law(numbers);
 	params->finest = fmaxf(take_float(numbers), 0.0f);
 	params->mirrored = subject->flags & IS_MIRRORED;
 	if (subject->flags & HAS_OWN_CLIP) {
@@ -141,7 +148,7 @@ static void check_quad(const struct fin_vertex quad[4], const struct fin_params 
 		widest = fmaxf(widest, fabsf(quad[i].width));
 		corners[i] = (struct screen_point){quad[i].position[0], quad[i].position[1]};
 	}
-	expect(widest > 0.0f || params->apron > 0.0f);
+	expect(widest > 0.0f || params->law.drawn_far > params->law.width_far);
 	screen_grid_clear(&grid);
 	screen_grid_add(&grid, corners, sides, 4, 0.0f);
 	for (int i = 0; i < 4; i++)
@@ -156,12 +163,16 @@ static void check_fins(const struct caster *caster, const struct silhouette_edge
 	fin_scratch_init(&scratch);
 	expect(fin_scratch_reserve(&scratch, caster, edge_count));
 	size_t count = fins_build(caster, edges, edge_count, params, &scratch, NULL, 0);
-	struct fin_vertex *fins = malloc(count * sizeof(*fins));
-	expect(count % 4 == 0 && count <= fins_max_vertices(edge_count, params->both_sides));
+	struct fin *fins = malloc(count * sizeof(*fins));
+	struct fin_vertex quads[FIN_VERTICES_MAX];
+	expect(count <= fins_max(edge_count));
 	expect(fins != NULL || count == 0);
 	expect(fins_build(caster, edges, edge_count, params, &scratch, fins, count) == count);
-	for (size_t i = 0; i < count; i += 4)
-		check_quad(&fins[i], params);
+	for (size_t i = 0; i < count; i++) {
+		size_t vertices = fin_expand(&fins[i], &params->law, params->both_sides, quads);
+		for (size_t first = 0; first < vertices; first += 4)
+			check_quad(quads + first, params);
+	}
 	for (size_t v = 0; v < scratch.vertex_capacity; v++)
 		expect(scratch.first[v] == UINT32_MAX);
 	free(fins);
@@ -216,7 +227,7 @@ static void check_shadow(
 	check_sheets(caster, light, facing);
 	struct fin_params two_sided = *params;
 	two_sided.both_sides = true;
-	two_sided.apron = 4.0f * params->finest;
+	fin_law_add_apron(&two_sided.law, 4.0f * params->finest);
 	check_fins(caster, edges, count, params);
 	check_fins(caster, edges, count, &two_sided);
 	free(facing);

@@ -16,32 +16,26 @@ static float drawn_at(float b)
 	return 1.0f - b / 3.0f;
 }
 
-#define POLE 1.5f /* K = 1 / (1 - near / far) of `perspective` */
-
 static void fins_are_drawn_as_far_out_as_any_receiver_asks(void **state)
 {
 	(void)state;
 	const struct {
-		enum fin_width law;
-		float pole, middle; /* of the width, at distance 2, that is drawn */
+		struct fin_law law;
+		float width, middle; /* at distance 2, and of that what is drawn */
 	} cases[] = {
-		{FIN_WIDTH_PERSPECTIVE, POLE, 1.0f / 3.0f},
-		{FIN_WIDTH_PERSPECTIVE, 0.0f, 1.0f},
-		{FIN_WIDTH_PERSPECTIVE, 1.0f, 1.0f},
-		{FIN_WIDTH_CONSTANT, POLE, 1.0f},
-		{FIN_WIDTH_PARALLEL, POLE, 1.0f},
+		{fin_law_perspective(0.1f, 1, 3), 0.05f, 1.0f / 3.0f},
+		{fin_law_constant(0.1f), 0.1f, 1.0f},
+		{fin_law_parallel(0.1f), 0.025f, 1.0f},
 	};
 	const float positions[2][3] = {{-1, 0, -2}, {1, 0, -2}};
 	const struct silhouette_edge edge = {0, 1};
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct fin_params params = params_of(perspective);
-		params.width = cases[i].law;
-		params.pole = cases[i].pole;
+		params.law = cases[i].law;
 		struct fins fins = build_positions(positions, 2, &edge, 1, &params);
 		assert_int_equal(fins.count, 4);
 		const struct fin_vertex *v = fins.vertices;
-		float width = v[0].width, y = -width * cases[i].middle;
-		assert_true(width > 0.0f);
+		float width = cases[i].width, y = -width * cases[i].middle;
 		assert_vertex(&v[0], (float[]){-0.5f, 0, 0.5f}, (float[]){0, 0}, width);
 		assert_vertex(&v[1], (float[]){0.5f, 0, 0.5f}, (float[]){0, 0}, width);
 		assert_vertex(&v[2], (float[]){0.5f, y, 0.5f}, (float[]){0, y}, width);
@@ -58,8 +52,7 @@ static void the_limit_is_straight_along_an_edge(void **state)
 	const float positions[2][3] = {{-1, 0, -1}, {3, 0, -3}};
 	const struct silhouette_edge edge = {0, 1};
 	struct fin_params params = params_of(perspective);
-	params.width = FIN_WIDTH_PERSPECTIVE;
-	params.pole = POLE;
+	params.law = fin_law_perspective(0.1f, 1, 3);
 	struct fins fins = build_positions(positions, 2, &edge, 1, &params);
 	assert_int_equal(fins.count, 4);
 	const struct fin_vertex *v = fins.vertices;
@@ -106,9 +99,7 @@ static void alpha_stays_a_share_of_the_width(void **state)
 			memcpy(positions[v], (float[]){w * seen[v][0], w * seen[v][1], -w},
 				sizeof(positions[v]));
 		struct fin_params params = params_of(perspective);
-		params.width = FIN_WIDTH_PERSPECTIVE;
-		params.scale = 0.2f;
-		params.pole = POLE;
+		params.law = fin_law_perspective(0.2f, 1, 3);
 		struct fins fins =
 			build_positions((const float(*)[3])positions, 3, edges, 3, &params);
 		float error = alpha_error(&fins, seen, edges, 3, 0.2f / w, drawn_at(w));
@@ -120,29 +111,31 @@ static void alpha_stays_a_share_of_the_width(void **state)
 static void fins_nowhere_wider_than_the_finest_are_left_out(void **state)
 {
 	(void)state;
-	/* Widths .3 at the near end and .1 at the far one, or twice .1; of which is drawn 2/3 and
-	 * 0 where there is a pole. */
+	/* What is drawn of a width that goes with 1 / w is .2 at the near end and 0 at the far one;
+	 * of one that goes with depth .3 and 0; .3 of one that is constant. */
 	const float away[2][3] = {{-1, 0, -1}, {3, 0, -3}}, level[2][3] = {{-3, 0, -3}, {3, 0, -3}};
+	const struct fin_law perspective_law = fin_law_perspective(0.3f, 1, 3);
+	const struct fin_law parallel = fin_law_parallel(0.3f), constant = fin_law_constant(0.3f);
 	const struct {
 		const float (*positions)[3];
-		float pole, finest;
+		struct fin_law law;
+		float finest;
 		size_t quads;
 	} cases[] = {
-		{away, 0, 0.0f, 1},
-		{away, 0, 0.29f, 1},
-		{away, 0, 0.31f, 0},
-		{away, POLE, 0.19f, 1},
-		{away, POLE, 0.21f, 0},
-		{level, 0, 0.09f, 1},
-		{level, 0, 0.11f, 0},
+		{away, perspective_law, 0.0f, 1},
+		{away, perspective_law, 0.19f, 1},
+		{away, perspective_law, 0.21f, 0},
+		{away, parallel, 0.29f, 1},
+		{away, parallel, 0.31f, 0},
+		{level, perspective_law, 0.0f, 0},
+		{level, constant, 0.29f, 1},
+		{level, constant, 0.31f, 0},
 	};
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		for (uint32_t from = 0; from < 2; from++) {
 			const struct silhouette_edge edge = {from, 1 - from};
 			struct fin_params params = params_of(perspective);
-			params.width = FIN_WIDTH_PERSPECTIVE;
-			params.scale = 0.3f;
-			params.pole = cases[i].pole;
+			params.law = cases[i].law;
 			params.finest = cases[i].finest;
 			struct fins fins =
 				build_positions(cases[i].positions, 2, &edge, 1, &params);

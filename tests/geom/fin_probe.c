@@ -14,7 +14,7 @@ const float perspective[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -2, -1, 0, 0, -3, 0
 
 struct fin_params params_of(const float object_to_clip[16])
 {
-	struct fin_params params = {.width = FIN_WIDTH_CONSTANT, .scale = 0.1f};
+	struct fin_params params = {.law = fin_law_constant(0.1f)};
 	memcpy(params.object_to_clip, object_to_clip, sizeof(params.object_to_clip));
 	return params;
 }
@@ -24,22 +24,32 @@ struct caster caster_of(const float (*positions)[3], size_t vertex_count)
 	return (struct caster){.vertex_count = vertex_count, .positions = (float(*)[3])positions};
 }
 
+struct fins expand(const struct fin *built, size_t count, const struct fin_params *params)
+{
+	struct fins fins = {
+		malloc(FIN_VERTICES_MAX * count * sizeof(*fins.vertices) + (count == 0)), 0};
+	assert_non_null(fins.vertices);
+	for (size_t i = 0; i < count; i++)
+		fins.count += fin_expand(
+			&built[i], &params->law, params->both_sides, fins.vertices + fins.count);
+	return fins;
+}
+
 struct fins build(const struct caster *caster, const struct silhouette_edge *edges,
 	size_t edge_count, const struct fin_params *params)
 {
 	struct fin_scratch scratch;
 	fin_scratch_init(&scratch);
 	assert_true(fin_scratch_reserve(&scratch, caster, edge_count));
-	struct fins fins = {
-		.count = fins_build(caster, edges, edge_count, params, &scratch, NULL, 0)};
-	assert_int_equal(fins.count % 4, 0);
-	assert_true(fins.count <= fins_max_vertices(edge_count, params->both_sides));
-	fins.vertices = malloc(fins.count * sizeof(*fins.vertices) + (fins.count == 0));
-	assert_non_null(fins.vertices);
+	size_t count = fins_build(caster, edges, edge_count, params, &scratch, NULL, 0);
+	assert_true(count <= fins_max(edge_count));
+	struct fin *built = malloc(count * sizeof(*built) + (count == 0));
+	assert_non_null(built);
 	assert_int_equal(
-		fins_build(caster, edges, edge_count, params, &scratch, fins.vertices, fins.count),
-		fins.count);
+		fins_build(caster, edges, edge_count, params, &scratch, built, count), count);
+	struct fins fins = expand(built, count, params);
 	fins.left_out_count = scratch.left_out_count;
+	free(built);
 	for (size_t v = 0; v < scratch.vertex_capacity; v++)
 		assert_int_equal(scratch.first[v], UINT32_MAX);
 	fin_scratch_finish(&scratch);

@@ -23,6 +23,8 @@ struct fins {
 	size_t count, left_out_count;
 };
 
+struct fins expand(const struct fin *built, size_t count, const struct fin_params *params);
+
 /** Into exactly as much memory as is needed, so that a sanitizer sees any write beyond. */
 struct fins build(const struct caster *caster, const struct silhouette_edge *edges,
 	size_t edge_count, const struct fin_params *params);

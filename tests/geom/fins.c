@@ -22,10 +22,12 @@ static void an_edge_becomes_a_quad_on_its_right(void **state)
 		struct fins fins = build_positions(positions, 2, &edge, 1, &params);
 		assert_int_equal(fins.count, 4);
 		const struct fin_vertex *v = fins.vertices;
-		assert_vertex(&v[0], (float[]){-0.5f, 0, 0.25f}, (float[]){0, 0}, 0.1f);
-		assert_vertex(&v[1], (float[]){0.5f, 0, -0.25f}, (float[]){0, 0}, 0.1f);
-		assert_vertex(&v[2], (float[]){0.5f, y, -0.25f}, (float[]){0, y}, 0.1f);
-		assert_vertex(&v[3], (float[]){-0.5f, y, 0.25f}, (float[]){0, y}, 0.1f);
+		/* The order is reversed where mirrored, so that the outside stays on the right. */
+		int a = mirrored ? 1 : 0, b = 1 - a, c = b + 2 * a + 1, d = 5 - c;
+		assert_vertex(&v[a], (float[]){-0.5f, 0, 0.25f}, (float[]){0, 0}, 0.1f);
+		assert_vertex(&v[b], (float[]){0.5f, 0, -0.25f}, (float[]){0, 0}, 0.1f);
+		assert_vertex(&v[c], (float[]){0.5f, y, -0.25f}, (float[]){0, y}, 0.1f);
+		assert_vertex(&v[d], (float[]){-0.5f, y, 0.25f}, (float[]){0, y}, 0.1f);
 		free(fins.vertices);
 	}
 }
@@ -38,25 +40,25 @@ static void widths_follow_their_law(void **state)
 	const float positions[2][3] = {{-1, 0, -1}, {3, 0, -3}};
 	const struct silhouette_edge edge = {0, 1};
 	const struct {
-		enum fin_width law;
-		float scale, near, far;
+		struct fin_law law;
+		float near, far, drawn_near, drawn_far;
 	} cases[] = {
-		{FIN_WIDTH_CONSTANT, 0.3f, 0.3f, 0.3f},
-		{FIN_WIDTH_PERSPECTIVE, 0.3f, 0.3f, 0.1f},
-		{FIN_WIDTH_PARALLEL, 0.3f, 0.3f, 0.0f},
+		{fin_law_constant(0.3f), 0.3f, 0.3f, 0.3f, 0.3f},
+		{fin_law_perspective(0.3f, 1, 3), 0.3f, 0.1f, 0.2f, 0},
+		{fin_law_parallel(0.3f), 0.3f, 0, 0.3f, 0},
 	};
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct fin_params params = params_of(perspective);
-		params.width = cases[i].law;
-		params.scale = cases[i].scale;
+		params.law = cases[i].law;
 		struct fins fins = build_positions(positions, 2, &edge, 1, &params);
 		assert_int_equal(fins.count, 4);
 		float near = cases[i].near, far = cases[i].far;
 		const struct fin_vertex *v = fins.vertices;
 		assert_vertex(&v[0], (float[]){-1, 0, -1}, (float[]){0, 0}, near);
 		assert_vertex(&v[1], (float[]){1, 0, 1}, (float[]){0, 0}, far);
-		assert_vertex(&v[2], (float[]){1, -far, 1}, (float[]){0, -far}, far);
-		assert_vertex(&v[3], (float[]){-1, -near, -1}, (float[]){0, -near}, near);
+		float y0 = -cases[i].drawn_near, y1 = -cases[i].drawn_far;
+		assert_vertex(&v[2], (float[]){1, y1, 1}, (float[]){0, y1}, far);
+		assert_vertex(&v[3], (float[]){-1, y0, -1}, (float[]){0, y0}, near);
 		free(fins.vertices);
 	}
 }
@@ -69,7 +71,7 @@ static void no_width_no_fin(void **state)
 	const float scales[] = {0.0f, -1.0f, NAN};
 	for (size_t i = 0; i < 3; i++) {
 		struct fin_params params = params_of(identity);
-		params.scale = scales[i];
+		params.law = fin_law_constant(scales[i]);
 		struct fins fins = build_positions(positions, 3, edges, 2, &params);
 		assert_int_equal(fins.count, 0);
 		free(fins.vertices);
@@ -145,7 +147,7 @@ static void an_apron_widens_what_is_drawn_alone(void **state)
 	const float positions[2][3] = {{-0.5f, 0, 0.25f}, {0.5f, 0, -0.25f}};
 	const struct silhouette_edge edge = {0, 1};
 	struct fin_params params = params_of(identity);
-	params.apron = 0.05f;
+	fin_law_add_apron(&params.law, 0.05f);
 	params.both_sides = true;
 	struct fins fins = build_positions(positions, 2, &edge, 1, &params);
 	assert_int_equal(fins.count, 8);
@@ -296,14 +298,15 @@ static void edges_are_cut_at_the_near_plane(void **state)
 	const float positions[4][3] = {{1, 0, -2}, {1, 0, 0}, {1, 1, 5}, {0, 0, -2}};
 	const struct silhouette_edge edges[] = {{0, 1}, {1, 2}, {2, 0}, {3, 0}};
 	struct fin_params params = params_of(perspective);
-	params.width = FIN_WIDTH_PERSPECTIVE;
+	params.law = fin_law_perspective(0.1f, 1, 3);
 	struct fins one = build_positions(positions, 4, edges, 1, &params);
 	assert_int_equal(one.count, 4);
 	const struct fin_vertex *v = one.vertices;
 	assert_vertex(&v[0], (float[]){0.5f, 0, 0.5f}, (float[]){0, 0}, 0.05f);
 	assert_vertex(&v[1], (float[]){1, 0, -1}, (float[]){0, 0}, 0.1f);
-	assert_vertex(&v[2], (float[]){1, -0.1f, -1}, (float[]){0, -0.1f}, 0.1f);
-	assert_vertex(&v[3], (float[]){0.5f, -0.05f, 0.5f}, (float[]){0, -0.05f}, 0.05f);
+	float near = -0.2f / 3, far = -0.05f / 3;
+	assert_vertex(&v[2], (float[]){1, near, -1}, (float[]){0, near}, 0.1f);
+	assert_vertex(&v[3], (float[]){0.5f, far, 0.5f}, (float[]){0, far}, 0.05f);
 	free(one.vertices);
 
 	struct fins behind = build_positions(positions, 4, &edges[1], 1, &params);
@@ -345,6 +348,20 @@ static void edges_far_off_the_screen_keep_their_line(void **state)
 	}
 }
 
+static struct fin_law random_law(uint64_t *random, const float *values, size_t count)
+{
+	float scale = values[random_next(random) % count];
+	switch (random_next(random) % 3) {
+	case 0:
+		return fin_law_constant(scale);
+	case 1:
+		return fin_law_parallel(scale);
+	default:
+		return fin_law_perspective(scale, values[random_next(random) % count],
+			values[random_next(random) % count]);
+	}
+}
+
 static void everything_written_is_finite(void **state)
 {
 	(void)state;
@@ -356,8 +373,7 @@ static void everything_written_is_finite(void **state)
 	struct silhouette_edge edges[12];
 	for (int round = 0; round < 20000; round++) {
 		struct fin_params params = {
-			.width = (enum fin_width)(random_next(&random) % 3),
-			.scale = extreme[random_next(&random) % extremes],
+			.law = random_law(&random, extreme, extremes),
 			.both_sides = round % 3 == 0,
 			.mirrored = random_next(&random) % 2,
 		};
@@ -389,28 +405,27 @@ static void everything_written_is_finite(void **state)
 	}
 }
 
-static void writes_whole_quads_up_to_capacity(void **state)
+static void writes_up_to_capacity(void **state)
 {
 	(void)state;
 	const float positions[3][3] = {{0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}};
 	const struct silhouette_edge edges[] = {{0, 1}, {1, 2}, {2, 0}};
 	struct caster caster = caster_of(positions, 3);
 	struct fin_params params = params_of(identity);
-	struct fins all = build(&caster, edges, 3, &params);
-	assert_int_equal(all.count, 24);
+	struct fin all[6];
 	struct fin_scratch scratch;
 	fin_scratch_init(&scratch);
 	assert_true(fin_scratch_reserve(&scratch, &caster, 3));
-	for (size_t capacity = 4; capacity <= all.count; capacity += 4) {
-		struct fin_vertex *exact = malloc(capacity * sizeof(*exact));
+	assert_int_equal(fins_build(&caster, edges, 3, &params, &scratch, all, 6), 6);
+	for (size_t capacity = 1; capacity <= 6; capacity++) {
+		struct fin *exact = malloc(capacity * sizeof(*exact));
 		assert_non_null(exact);
-		assert_int_equal(fins_build(&caster, edges, 3, &params, &scratch, exact, capacity),
-			all.count);
-		assert_memory_equal(exact, all.vertices, capacity * sizeof(*exact));
+		assert_int_equal(
+			fins_build(&caster, edges, 3, &params, &scratch, exact, capacity), 6);
+		assert_memory_equal(exact, all, capacity * sizeof(*exact));
 		free(exact);
 	}
 	fin_scratch_finish(&scratch);
-	free(all.vertices);
 }
 
 static void scratch_grows_and_refuses(void **state)
@@ -425,9 +440,8 @@ static void scratch_grows_and_refuses(void **state)
 	assert_false(fin_scratch_reserve(&scratch, &small, UINT32_MAX));
 	assert_false(fin_scratch_reserve(&scratch, &huge, 1));
 	assert_true(fin_scratch_reserve(&scratch, &small, 1000));
-	assert_int_equal(fins_max_vertices(1000, false), 12000);
-	assert_int_equal(fins_max_vertices(1000, true), 24000);
-	assert_int_equal(fins_max_vertices(SIZE_MAX / 2, false), SIZE_MAX);
+	assert_int_equal(fins_max(1000), 3000);
+	assert_int_equal(fins_max(SIZE_MAX / 2), SIZE_MAX);
 	fin_scratch_finish(&scratch);
 }
 
@@ -445,7 +459,7 @@ static void check_model(const char *name, const struct model *model)
 
 	/* An orthographic light along -z that sees all of the mesh. */
 	const struct face_planes *planes = &mesh.caster.planes;
-	struct fin_params params = {.width = FIN_WIDTH_PARALLEL, .scale = 0.05f};
+	struct fin_params params = {.law = fin_law_parallel(0.05f)};
 	for (int i = 0; i < 3; i++) {
 		double scale = (i == 2 ? -0.9 : 0.9) / planes->radius;
 		params.object_to_clip[5 * i] = (float)scale;
@@ -487,7 +501,7 @@ int main(void)
 		cmocka_unit_test(edges_are_cut_at_the_near_plane),
 		cmocka_unit_test(edges_far_off_the_screen_keep_their_line),
 		cmocka_unit_test(everything_written_is_finite),
-		cmocka_unit_test(writes_whole_quads_up_to_capacity),
+		cmocka_unit_test(writes_up_to_capacity),
 		cmocka_unit_test(scratch_grows_and_refuses),
 		cmocka_unit_test(takes_every_model),
 	};

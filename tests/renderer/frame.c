@@ -538,12 +538,13 @@ static void the_counters_are_those_of_the_last_frame(void **state)
 	/* Four edges and four corners, a quad each. */
 	assert_int_equal(second.fin_vertices, 32);
 	assert_int_equal(second.fins_left_out, 0);
+	assert_int_equal(second.fin_bytes, 8 * 24);
 	/* Casters, receivers, fins and two surfaces, each in a call at least. */
 	assert_true(second.draw_calls >= 5);
 	assert_true(second.triangles >= 2 + 2 + 16 + 4);
 	/* The scene is uploaded once, the fins each time. */
 	assert_true(first.uploaded_bytes > second.uploaded_bytes);
-	assert_true(second.uploaded_bytes > 0);
+	assert_int_equal(second.uploaded_bytes, second.fin_bytes);
 
 	/* Less than half of one of these texels wide. */
 	rig_set_shadows(rig, &(struct sm_shadow_options){

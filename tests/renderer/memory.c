@@ -131,9 +131,12 @@ static void GL_APIENTRY generate_mipmap(GLenum target)
 
 static void GL_APIENTRY buffer_data(GLenum target, GLsizeiptr size, const void *data, GLenum usage)
 {
+	GLenum binding = GL_ELEMENT_ARRAY_BUFFER_BINDING;
+	if (target != GL_ELEMENT_ARRAY_BUFFER)
+		binding = target == GL_ARRAY_BUFFER ? GL_ARRAY_BUFFER_BINDING
+						    : GL_UNIFORM_BUFFER_BINDING;
 	glBufferData(target, size, data, usage);
-	keep(target == GL_ARRAY_BUFFER ? GL_ARRAY_BUFFER_BINDING : GL_ELEMENT_ARRAY_BUFFER_BINDING,
-		true, (uint64_t)size);
+	keep(binding, true, (uint64_t)size);
 }
 
 static void GL_APIENTRY delete_textures(GLsizei count, const GLuint *names)

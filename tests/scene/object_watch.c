@@ -252,9 +252,9 @@ static void check_update(struct fin_set *kept, const struct object_watch *watch,
 	struct fin_set all = {0};
 	assert_true(fin_set_find(&all, scene, frame, &shape, MAP, true));
 	assert_true(fin_set_update(kept, scene, frame, &shape, MAP, true, watch, changed));
-	assert_true(all.vertex_count > 0);
-	assert_int_equal(kept->vertex_count, all.vertex_count);
-	assert_memory_equal(kept->vertices, all.vertices, all.vertex_count * sizeof(*all.vertices));
+	assert_true(all.count > 0);
+	assert_int_equal(kept->count, all.count);
+	assert_memory_equal(kept->fins, all.fins, all.count * sizeof(*all.fins));
 	fin_set_finish(&all);
 }
 

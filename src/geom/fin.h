@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef GEOM_FIN_H
+#define GEOM_FIN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** In NDC. Far beyond the screen, [-1, 1], and any fin that reaches it; near enough that floats
+ *  there still step by less than a texel of the largest shadow map. */
+#define FIN_NDC_LIMIT 1024.0f
+
+/**
+ * How wide fins are at NDC depth z of the silhouette, in NDC: straight lines in 1 - z, at most
+ * FIN_NDC_LIMIT. A width that goes with 1 / w is one too, since z of a perspective is.
+ *
+ *	width = width_far + slope (1 - z)        what alpha is a share of
+ *	drawn = drawn_far + slope (1 - z)        what is drawn of it, or beyond it
+ */
+struct fin_law {
+	float width_far, drawn_far, slope; /* finite, >= 0 */
+};
+
+/* What is no width, below 0 or NaN, is 0. */
+
+/** The same width everywhere. */
+struct fin_law fin_law_constant(float width);
+/** scale / w of a perspective, whose w is the distance, between near and far. Drawn only as far out
+ *  as 1 - b/r of a receiver at the far plane, since beyond it alpha' is 1 (Chan & Durand 2003,
+ *  section 4). */
+struct fin_law fin_law_perspective(float scale, float near, float far);
+/** scale (1 - d) at window depth d. */
+struct fin_law fin_law_parallel(float scale);
+/** Draws fins this much wider than they are. */
+void fin_law_add_apron(struct fin_law *law, float apron);
+
+float fin_law_drawn(const struct fin_law *law, float z);
+
+/** The sides of the silhouette that a fin around a corner is on. Beyond any z, so that they tell
+ * such a fin from one along an edge, in whose end[2] they are. */
+#define FIN_OUTSIDE 2.0f
+#define FIN_INSIDE -2.0f
+#define FIN_BOTH 3.0f
+
+/**
+ * A quad of a fin, or with both sides two, as uploaded: smoothie_fin.vert draws it as fin_expand()
+ * does. Positions are NDC, w = 1; x and y may lie beyond the screen, z is in [-1, 1].
+ */
+struct fin {
+	float start[3];
+	union {
+		float end[3]; /* along an edge; outside is on the right of start -> end */
+		struct {      /* around a corner at start */
+			uint32_t normals[2]; /* unit, x and y in 16 bits: as unpackSnorm2x16() takes
+						them. Halfway between is on the right of the way
+						from the first to the second. */
+			float side;          /* one of the above */
+		};
+	};
+};
+
+/** The sector between two unit normals, up to half a disc. */
+struct fin fin_around(const float position[3], const float from[2], const float to[2], float side);
+
+/** alpha of a fragment = length(offset) / |width|, both interpolated. */
+struct fin_vertex {
+	float position[3];
+	float offset[2]; /* from the silhouette, NDC */
+	float width;     /* NDC; below 0: inside. Not 0 at one vertex of a quad at least, but for
+			    the apron */
+};
+
+#define FIN_VERTICES_MAX 8
+
+/** Quads of four vertices in order around, of either orientation. Returns the number of vertices.
+ *  both_sides: a fin along an edge is on both. */
+size_t fin_expand(const struct fin *fin, const struct fin_law *law, bool both_sides,
+	struct fin_vertex out[FIN_VERTICES_MAX]);
+
+#endif
