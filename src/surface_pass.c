@@ -271,7 +271,7 @@ static bool cut_to_tiles(
 	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
 	glm_mat4_mul((vec4 *)pass->frame->world_to_clip, (vec4 *)object->transform, to_light_clip);
 	tiles_find(tiles, &pass->shadow->needs, mesh, pass->width, pass->height, to_clip,
-		to_light_clip, pass->first);
+		to_light_clip);
 	return true;
 }
 
@@ -339,9 +339,7 @@ static bool draw_in_parts(struct surface_pass *pass, const struct object *object
 	count_parts(renderer, tiled ? &tiles : NULL, mesh);
 	/* What a further light does not reach it adds nothing to. */
 	enum need least = pass->first ? NEED_AMBIENT : NEED_LIGHT;
-	for (enum need i = 0; i < NEED_COUNT - least; i++) {
-		/* Tiles that overlap: those that are drawn hide what comes after. */
-		enum need need = tiled ? NEED_TECHNIQUE - i : least + i;
+	for (enum need need = least; need < NEED_COUNT; need++) {
 		if (!tiled && memchr(renderer->needs, need, mesh->cluster_count) == NULL)
 			continue;
 		if (!draw_need(pass, object, tiled ? &tiles : NULL, need, flags, error))

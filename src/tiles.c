@@ -109,15 +109,14 @@ static void mark_band(const struct need_map *map, const struct polygon *triangle
 	}
 }
 
-/* Each tile goes to its greatest need. */
-static void set_band(
-	struct tiles *tiles, int first_row, const uint64_t marked[NEED_COUNT], bool overlap)
+/* Each tile goes to the greatest need alone. */
+static void set_band(struct tiles *tiles, int first_row, const uint64_t marked[NEED_COUNT])
 {
 	uint64_t taken = 0;
 	for (int need = NEED_COUNT - 1; need >= 0; need--) {
 		uint64_t row = need > 0 ? close_gaps(marked[need] | taken) : ~(uint64_t)0;
 		for (int i = 0; i < TILE_BAND; i++)
-			tiles->of[need].rows[first_row + i] = overlap ? row : row & ~taken;
+			tiles->of[need].rows[first_row + i] = row & ~taken;
 		taken = row;
 	}
 }
@@ -139,7 +138,7 @@ static bool see_triangle(struct polygon *seen, const struct mesh *mesh, size_t t
 }
 
 void tiles_find(struct tiles *tiles, const struct need_map *map, const struct mesh *mesh,
-	uint32_t width, uint32_t height, mat4 to_clip, mat4 to_light_clip, bool overlap)
+	uint32_t width, uint32_t height, mat4 to_clip, mat4 to_light_clip)
 {
 	/* One pixel: half for the one that a tile's side cuts, half for where it is shaded. */
 	const float margin[2] = {2.0f / (float)width, 2.0f / (float)height};
@@ -151,6 +150,6 @@ void tiles_find(struct tiles *tiles, const struct need_map *map, const struct me
 		uint64_t marked[NEED_COUNT] = {0};
 		for (size_t i = 0; i < count; i++)
 			mark_band(map, &seen[i], row, margin, marked);
-		set_band(tiles, row, marked, overlap);
+		set_band(tiles, row, marked);
 	}
 }

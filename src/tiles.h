@@ -11,7 +11,7 @@
 /** Meshes of more triangles are not worth cutting. */
 #define TILE_TRIANGLES_MAX 16
 
-/** The tiles of the picture by what a mesh needs there, together all of the picture. */
+/** The tiles of the picture by what a mesh needs there: disjoint, together all of the picture. */
 struct tiles {
 	struct screen_grid of[NEED_COUNT];
 };
@@ -21,11 +21,9 @@ struct tiles {
  * each tile, as the light sees that. Rounded up to few rectangles, since each is a draw call:
  * TILE_BAND rows at a time are alike, and short gaps are closed.
  * width, height: of the picture, pixels. to_clip, to_light_clip: from the mesh to the clip spaces
- * of camera and light. overlap: a need has the tiles of all greater ones as well,
- * which leaves fewer rectangles, where those are drawn first and hide what comes after; else tiles
- * are disjoint.
+ * of camera and light.
  */
 void tiles_find(struct tiles *tiles, const struct need_map *map, const struct mesh *mesh,
-	uint32_t width, uint32_t height, mat4 to_clip, mat4 to_light_clip, bool overlap);
+	uint32_t width, uint32_t height, mat4 to_clip, mat4 to_light_clip);
 
 #endif
