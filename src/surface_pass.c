@@ -349,12 +349,16 @@ static bool draw_in_parts(struct surface_pass *pass, const struct object *object
 }
 
 /* Whether a shadowed surface takes less in some parts than in others: what was looked up before
- * takes as little everywhere. */
-static bool has_parts(const struct sm_renderer *renderer)
+ * takes as little everywhere. Of a pixel with several samples the middle is shaded, which may lie
+ * beside the surface, in a shadow that no part of it is in: parts are right there, not the whole.
+ */
+static bool has_parts(const struct surface_pass *pass)
 {
+	const struct sm_renderer *renderer = pass->renderer;
 	const struct technique *technique = renderer->shadows.technique;
+	bool needs_parts = technique->needs_parts || pass->multisampled;
 	return technique->prepare != NULL && !renderer->whole &&
-	       (technique->needs_parts || !renderer->gpu.skips.off[SKIP_RECEIVER]);
+	       (needs_parts || !renderer->gpu.skips.off[SKIP_RECEIVER]);
 }
 
 static bool draw_object(
@@ -363,7 +367,7 @@ static bool draw_object(
 	struct gpu *gpu = &pass->renderer->gpu;
 	const struct gpu_mesh *mesh = &gpu->scene.meshes[object->mesh];
 	uint64_t flags = object_flags(pass, object);
-	if (flags & FLAG_SHADOWED && has_parts(pass->renderer))
+	if (flags & FLAG_SHADOWED && has_parts(pass))
 		return draw_in_parts(pass, object, flags, error);
 	if (flags & FLAG_SHADOWED && pass->cells != NULL)
 		flags |= FLAG_CELLS;
@@ -392,7 +396,7 @@ static void map_needs(struct surface_pass *pass)
 	const struct sm_renderer *renderer = pass->renderer;
 	const struct technique *technique = renderer->shadows.technique;
 	struct light_shadow *shadow = pass->shadow;
-	if (pass->light == NULL || !has_parts(renderer))
+	if (pass->light == NULL || !has_parts(pass))
 		return;
 	if (!shadow->mapped)
 		need_map_find(&shadow->needs, &renderer->gpu.scene, pass->scene, pass->frame,
