@@ -40,8 +40,8 @@ static const struct {
 	const char *from, *to;
 } edits[] = {
 	{"\tfloat v = 1.0;\n", "\tfloat v = 1.0;\n\tfloat raw = 1.0;\n"},
-	{"\tv = clamp(shadow_visibility(surface_position), 0.0, 1.0);\n",
-		"\traw = shadow_visibility(surface_position);\n\tv = clamp(raw, 0.0, 1.0);\n"},
+	{"\tv = clamp(shadow_visibility(seen_position()), 0.0, 1.0);\n",
+		"\traw = shadow_visibility(seen_position());\n\tv = clamp(raw, 0.0, 1.0);\n"},
 	{"\tcolor = vec4(high, steps - 256.0 * high, 0.0, 255.0) / 255.0;\n",
 		"\tcolor = vec4(raw, vec2(high, steps - 256.0 * high) / 255.0, 1.0);\n"},
 };
