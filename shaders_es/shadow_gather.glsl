@@ -150,9 +150,9 @@ struct origin {
 	vec2 slope;
 };
 
-// To so much a sheet is the receiver's own for certain; a texel farther off is a better one if its
-// sheet is that much less strange, doubt of the others added.
-const float CERTAIN = 0.02;
+// The search ends at a texel whose sheet is no stranger, doubt of the others added; one farther off
+// is better by so much less.
+const float GOOD = 0.02;
 const float BETTER = 0.2;
 // Worse than any texel that has it.
 const float NOT_FOUND = 3.0;
@@ -210,15 +210,14 @@ origin origin_among(receiver r, origin middle, int tries)
 			bool full = !casts && blocking == layer_count;
 			from.at = full ? middle.at : off + r.s.xy;
 			from.winding = full ? middle.winding : hidden ? HIDDEN : blocking;
-			bool sure = full || hidden || !casts || strange < CERTAIN;
-			from.seen = sure ? from.winding : before;
+			from.seen = full || hidden || !casts ? from.winding : before;
 			// Before all edges: none is looked at.
 			from.depth = full ? middle.depth : hidden ? -1.0 : r.s.z - r.noise;
 			from.own_depth = full ? 0.0 : 2.0 * r.noise + max(rise, 0.0);
 			from.slope = rise < 0.0 && !full ? r.slope : vec2(0.0);
 		}
 		i++;
-		if (i >= tries || best < CERTAIN)
+		if (i >= tries || best < GOOD)
 			break;
 	}
 	return from;

@@ -11,8 +11,8 @@
 #include <string.h>
 
 /* How far off its own sheet the receiver may take a sheet for it, and one that is alone at its
- * texel; below which there is no doubt; by how much of that a farther texel has to be better; and
- * what none is as bad as. */
+ * texel; below which no farther texel is tried; by how much of that one has to be better; and what
+ * none is as bad as. */
 #define STRANGE_MAX 1.0
 #define STRANGE_ALONE 2.0
 #define STRANGE_NONE 0.02
@@ -297,7 +297,7 @@ static struct origin origin_of_layers(
 		origin.winding_beside += fmin(lead->here, lead->there - rise) > noise;
 	}
 	*full = origin.winding == GATHER_LAYERS;
-	if (!receiver->casts || own.strange < STRANGE_NONE)
+	if (!receiver->casts)
 		origin.winding_beside = origin.winding;
 	return origin;
 }
