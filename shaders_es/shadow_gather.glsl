@@ -140,13 +140,14 @@ float doubt(lead lead, float noise)
 }
 
 // A point from which the winding number is carried to the receiver, and what it is there. Edges in
-// between count where they are before a plane through `depth` at the receiver; behind it, and by no
-// more than `own_depth`, they are of the receiver's own sheet. Where that begins on the way from a
-// texel that does not have it, its plane means nothing there: `seen` sheets are before the receiver.
+// between count where they are before `depth`, and before a plane through it at the receiver; others
+// are of the receiver's own sheet, if they are behind the farther of the two by `own_depth` at most:
+// nothing behind `deepest` is. Where that begins on the way from a texel that does not have it, its
+// plane means nothing there: `seen` sheets are before the receiver.
 struct origin {
 	vec2 at;
 	int winding, seen;
-	float depth, own_depth;
+	float depth, own_depth, deepest;
 	vec2 slope;
 };
 
@@ -213,8 +214,9 @@ origin origin_among(receiver r, origin middle, int tries)
 			from.seen = full || hidden || !casts ? from.winding : before;
 			// Before all edges: none is looked at.
 			from.depth = full ? middle.depth : hidden ? -1.0 : r.s.z - r.noise;
-			from.own_depth = full ? 0.0 : 2.0 * r.noise + max(rise, 0.0);
-			from.slope = rise < 0.0 && !full ? r.slope : vec2(0.0);
+			from.own_depth = full ? 0.0 : 2.0 * r.noise;
+			from.deepest = from.depth + from.own_depth + (full ? 0.0 : max(rise, 0.0));
+			from.slope = full ? vec2(0.0) : r.slope;
 		}
 		i++;
 		if (i >= tries || best < GOOD)
@@ -227,7 +229,7 @@ origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 {
 	// Behind all that casts, where no map need be asked.
 	int winding = int(tile.y >> 24) - 128;
-	origin from = origin((tile_at + 0.5) / tile_count, winding, winding, 2.0, 0.0, vec2(0.0));
+	origin from = origin((tile_at + 0.5) / tile_count, winding, winding, 2.0, 0.0, 2.0, vec2(0.0));
 #ifdef BEHIND
 	return from; // as all that is drawn so
 #endif
@@ -324,8 +326,8 @@ bool has_origin(vec2 a, vec2 b, float side, float moved)
 }
 
 // Walks along the edges between vertices. One between the origin and the receiver is where a sheet
-// starts or ends. In whole lists, leaves them where the rest is behind `deepest`.
-void walk_edges(inout sums sum, receiver r, origin from, int first, int end, float deepest)
+// starts or ends. In whole lists, leaves them where the rest plays no part.
+void walk_edges(inout sums sum, receiver r, origin from, int first, int end)
 {
 #ifdef COARSE
 	// Sheets at a texel are told by edges as the rasteriser has them, those at a tile's centre
@@ -352,7 +354,7 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 			bool begins = i == first;
 #else
 			bool begins = v.w > 0.0;
-			end = begins && deepest <= v.w - 1.0 ? i : end;
+			end = begins && from.deepest <= v.w - 1.0 ? i : end;
 #endif
 			edge.sheets = 1.0 - v.w;
 			across_a = across_b;
@@ -389,14 +391,17 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, flo
 			if (i >= end || hit || turn != 0)
 				break;
 		}
-		float above_a = from.depth - depth_a + dot(from.slope, edge.a);
-		float above_b = from.depth - depth_b + dot(from.slope, edge.b);
-		float past = abs(across_a - across_b);
-		float depth = above_b * across_a - above_a * across_b;
-		depth = across_a < across_b ? -depth : depth;
+		// How far the crossing is before both, times `past`.
+		float past = across_a - across_b;
+		float rise = dot(from.slope, edge.b) * across_a - dot(from.slope, edge.a) * across_b;
+		float lead = (from.depth - depth_b) * across_a - (from.depth - depth_a) * across_b;
+		rise = past < 0.0 ? -rise : rise;
+		lead = past < 0.0 ? -lead : lead;
+		bool counts = lead + min(rise, 0.0) > 0.0;
+		bool own = !counts && lead + max(rise, 0.0) >= -from.own_depth * abs(past);
 		turn *= int(edge.sheets);
-		sum.winding += depth > 0.0 ? turn : 0;
-		sum.own += depth <= 0.0 && depth >= -from.own_depth * past ? turn : 0;
+		sum.winding += counts ? turn : 0;
+		sum.own += own ? turn : 0;
 		if (hit)
 			add_edge(sum, edge, r);
 		if (i >= end)
@@ -435,7 +440,6 @@ reach reach_of(receiver r, origin from)
 sums walk(receiver r, origin from, int first, int end)
 {
 	sums sum = no_sums();
-	float deepest = from.depth + from.own_depth;
 	reach reach = reach_of(r, from);
 	for (int run = first; run < end;) {
 		int begin = 0, stop = 0;
@@ -448,15 +452,15 @@ sums walk(receiver r, origin from, int first, int end)
 			vec2 off = max(max(low - reach.at, reach.at - high), 0.0);
 			float within = (r.s.z - start) * reach.per_depth + reach.margin;
 			within = max(within, reach.least);
-			end = deepest > start ? end : run;
-			bool near = deepest > start && dot(off, off) <= within * within;
+			end = from.deepest > start ? end : run;
+			bool near = from.deepest > start && dot(off, off) <= within * within;
 			begin = int(found.x & 0xffffffu);
 			stop = near ? begin + int(found.x >> 24) + 1 : begin;
 			run++;
 			if (run >= end || stop != begin)
 				break;
 		}
-		walk_edges(sum, r, from, begin, stop, deepest);
+		walk_edges(sum, r, from, begin, stop);
 		if (run >= end)
 			break;
 	}
@@ -466,7 +470,7 @@ sums walk(receiver r, origin from, int first, int end)
 sums walk(receiver r, origin from, int first, int end)
 {
 	sums sum = no_sums();
-	walk_edges(sum, r, from, first, end, from.depth + from.own_depth);
+	walk_edges(sum, r, from, first, end);
 	return sum;
 }
 #endif
@@ -483,8 +487,7 @@ float gathered_visibility(receiver r)
 	uvec4 tile = texelFetch(edge_tiles, ivec2(tile_at), 0);
 	origin from = origin_of(r, tile, tile_at);
 	int first = int(tile.x), edges = int(tile.y & 0xffffffu);
-	bool any_before = inside && light_arrives && 
-		from.depth + from.own_depth > uintBitsToFloat(tile.z);
+	bool any_before = inside && light_arrives && from.deepest > uintBitsToFloat(tile.z);
 	sums sum = walk(r, from, first, any_before ? first + edges : first);
 	if (!inside)
 		return 1.0;

@@ -363,7 +363,8 @@ static void find_told(const struct eye *eye, const struct end *end, double snap,
 }
 
 /* Where the way from the origin passes an edge. A sheet begins or ends there that is before the
- * receiver, if the edge is: both before the receiver's plane and before its depth. */
+ * receiver, if the edge is: both before the receiver's plane and before its depth. If it is before
+ * one of them it is the receiver's own, which bends on the way. */
 static void cross_edge(struct sums *sums, const struct gather *gather, const struct eye *eye,
 	const struct origin *origin, const struct end *a, const struct end *b, int sheets)
 {
@@ -381,13 +382,13 @@ static void cross_edge(struct sums *sums, const struct gather *gather, const str
 	for (int i = 0; i < 2; i++)
 		off[i] = a->off[i] + share * (b->off[i] - a->off[i]);
 	double depth = a->depth + share * (b->depth - a->depth);
-	double before = receiver->depth + dot(origin->slope, off) - depth;
+	double flat = receiver->depth - depth, plane = flat + dot(origin->slope, off);
 	double side_origin = cross(told_a, told_b) - across_a + across_b;
 	int begun = sheets * ((cross(a->off, b->off) >= 0.0) -
 				     has_origin(told_a, told_b, side_origin, snap));
-	if (origin->of_all || (before > eye->noise && depth < receiver->depth))
+	if (origin->of_all || fmin(flat, plane) > eye->noise)
 		sums->winding += begun;
-	if (fabs(before) <= eye->noise)
+	else if (fmax(flat, plane) >= -eye->noise)
 		sums->own += begun;
 }
 
