@@ -371,8 +371,8 @@ static void test_the_frontier_is_told(void **state)
 	write_pages(&all, false, &html, &markdown);
 	static const char *const told[] = {"in both time and error: near.",
 		"in both time and error: quick, near.", "in both time and error: none.",
-		"one alone that none beats in both time and error: near in 1 of 3 scenes and "
-		"settings."};
+		("one alone that none beats in both time and error: near in 1 of 3 scenes and "
+		 "settings.")};
 	for (size_t i = 0; i < COUNT(told); i++) {
 		assert_contains(html.bytes, told[i]);
 		assert_contains(markdown.bytes, told[i]);
