@@ -15,7 +15,8 @@ out float fin_width; // of the fin here, likewise; below 0: inside
 const float NDC_LIMIT = 1024.0; // FIN_NDC_LIMIT
 
 // In widths as drawn, of the corners of a kite along the tangents, or of half the square around the
-// disc.
+// disc. Unit vectors up to a right angle apart have a sum of length 1.4 at least, others such a
+// difference.
 vec2 corner_offset(int corner, vec2 from, vec2 to)
 {
 	vec2 sum = from + to;
@@ -49,7 +50,7 @@ void main()
 		offset = end.z == side * 2.0 || end.z == 3.0 ? corner_offset(corner, unpackSnorm2x16(second.x),
 			unpackSnorm2x16(second.y)) : vec2(0.0);
 	} else {
-		vec2 along = normalize(end.xy - place.xy);
+		vec2 along = normalize(end.xy - place.xy); // no fin has ends that coincide
 		offset = corner < 2 ? vec2(0.0) : vec2(along.y, -along.x);
 		place = corner == 1 || corner == 2 ? end : place;
 	}

@@ -134,41 +134,44 @@ static void find_left_out(const struct surface_pass *pass, struct shadowed_light
 		light->left_out = true;
 }
 
-/* Finds what lights first .. last - 1 show, whatever is skipped. The lead is the first that shows
- * anything, so that the surfaces are drawn once where no other does. Returns how many show. */
-static uint32_t find_lights(struct surface_pass *pass, uint32_t first, uint32_t last)
+static void find_frame(
+	const struct surface_pass *pass, uint32_t index, struct shadowed_light *light)
 {
-	struct sm_renderer *renderer = pass->renderer;
+	const struct technique *technique = pass->renderer->shadows.technique;
+	(technique->fits_screen ? light_frame_fit : light_frame_init)(
+		&light->frame, &pass->scene->lights[index].desc, pass->scene);
+}
+
+/* Finds what all lights show, whatever is skipped. The lead is the first that shows anything, so
+ * that the surfaces are drawn once where no other does. Returns how many show. */
+static uint32_t find_lights(struct surface_pass *pass, uint32_t count)
+{
+	struct shadowed_light *lights = pass->renderer->lights;
 	struct view_volume volume;
-	uint32_t count = 0;
+	uint32_t shown = 0;
 	view_volume_init(&volume, pass->world_to_clip);
-	pass->lead = last;
-	for (uint32_t i = first; i < last; i++) {
-		struct shadowed_light *light = &renderer->lights[i - first];
-		const struct sm_light_desc *desc = &pass->scene->lights[i].desc;
-		(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
-			&light->frame, desc, pass->scene);
-		light->brightest =
-			light_brightest(desc, &light->frame, pass->scene, &volume, DIM_MAX);
-		if (pass->lead == last && light->brightest >= DIM_MAX)
+	pass->lead = count;
+	for (uint32_t i = 0; i < count; i++) {
+		find_frame(pass, i, &lights[i]);
+		lights[i].brightest = light_brightest(&pass->scene->lights[i].desc,
+			&lights[i].frame, pass->scene, &volume, DIM_MAX);
+		if (pass->lead == count && lights[i].brightest >= DIM_MAX)
 			pass->lead = i;
 	}
-	if (pass->lead == last)
-		pass->lead = first;
-	for (uint32_t i = first; i < last; i++) {
-		find_left_out(pass, &renderer->lights[i - first], i == pass->lead);
-		count += renderer->lights[i - first].shows;
+	if (pass->lead == count)
+		pass->lead = 0;
+	for (uint32_t i = 0; i < count; i++) {
+		find_left_out(pass, &lights[i], i == pass->lead);
+		shown += lights[i].shows;
 	}
-	return count;
+	return shown;
 }
 
 /* The one whose visibility is the picture. */
 static void find_only_light(struct surface_pass *pass, uint32_t index)
 {
-	struct sm_renderer *renderer = pass->renderer;
-	struct shadowed_light *light = &renderer->lights[0];
-	(renderer->shadows.technique->fits_screen ? light_frame_fit : light_frame_init)(
-		&light->frame, &pass->scene->lights[index].desc, pass->scene);
+	struct shadowed_light *light = &pass->renderer->lights[0];
+	find_frame(pass, index, light);
 	light->shows = true;
 	light->left_out = false;
 	pass->lead = index;
@@ -349,7 +352,7 @@ static bool draw_view(struct surface_pass *pass, const struct sm_view *view, str
 		find_only_light(pass, light);
 		return draw_lights(pass, light, light + 1, view->framebuffer, error);
 	}
-	uint32_t shown = find_lights(pass, 0, light_count);
+	uint32_t shown = find_lights(pass, light_count);
 	if (!gl_framebuffer_is_srgb(gl, view->framebuffer))
 		pass->flags = FLAG_ENCODE_SRGB;
 	if (pass->flags & FLAG_ENCODE_SRGB && shown > 1)

@@ -161,6 +161,7 @@ size_t fin_expand(const struct fin *fin, const struct fin_law *law, bool both_si
 		return write_sides(law, (const float *const[]){a, a, a, a},
 			(const float(*)[2])offsets, fin->side, out);
 	}
+	/* Above 0: no fin along an edge has ends that coincide. */
 	float dx = b[0] - a[0], dy = b[1] - a[1], length = sqrtf(dx * dx + dy * dy);
 	offsets[2][0] = offsets[3][0] = dy / length;
 	offsets[2][1] = offsets[3][1] = -dx / length;

@@ -203,7 +203,8 @@ static struct fin_end end_of(
 	};
 }
 
-/* As fin_expand() finds it, so that corners meet the fins of their edges. */
+/* As fin_expand() finds it, so that corners meet the fins of their edges. The ends do not coincide:
+ * project_edge() saw to that. */
 static void find_direction(const struct fin_params *params, struct fin_edge *edge)
 {
 	const float *a = edge->ends[0].position, *b = edge->ends[1].position;
