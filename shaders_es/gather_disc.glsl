@@ -3,8 +3,6 @@ uniform usampler2D disc_masks; // see technique/disc_mask.h
 
 const float TURN = 6.28318531;
 const float SAMPLES = 64.0;
-const float MASK_ANGLES = 128.0; // a row
-const float MASK_DISTANCES = 32.0;
 
 // Of y / x for 0 <= y <= x, with an error of 1e-5 (Abramowitz & Stegun 1964, 4.4.49).
 float arc_tangent(float r)
@@ -48,9 +46,7 @@ uvec2 sector(float low, float high)
 // The samples beyond a line whose foot from the disc's centre is at an angle and a distance.
 uvec2 beyond(float angle, float distance)
 {
-	ivec2 at = ivec2(angle * (MASK_ANGLES / TURN), distance * MASK_DISTANCES);
-	at = min(at, ivec2(MASK_ANGLES, MASK_DISTANCES) - 1);
-	return texelFetch(disc_masks, at, 0).xy;
+	return textureLod(disc_masks, vec2(angle * (1.0 / TURN), distance), 0.0).xy;
 }
 
 // Counters of 64 samples, from -16 to 15: a plane for each bit of them.

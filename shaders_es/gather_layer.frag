@@ -16,7 +16,8 @@ void main()
 	// Half floats: a sheet as steep as the depth range over a texel is as good as unseen.
 	vec2 slope = clamp(vec2(dFdx(depth), dFdy(depth)), -1.0, 1.0);
 #ifdef PEEL
-	uint front = texelFetch(front_layer, ivec2(gl_FragCoord.xy), 0).x;
+	vec2 size = vec2(textureSize(front_layer, 0));
+	uint front = textureLod(front_layer, gl_FragCoord.xy / size, 0.0).x;
 	if (depth <= uintBitsToFloat(front) + DEPTH_STEP)
 		discard;
 #endif

@@ -2,7 +2,7 @@
 // sheets before the disc's centre, and a term for each edge before the disc. Everything is in window
 // coordinates of the light's screen, on which edges are straight, also in depth.
 uniform usampler2D edge_tiles; // struct edge_tile of scene/edge_grid.h
-uniform usampler2D edge_runs;  // struct edge_run of scene/edge_lists.h, 1024 a row
+uniform usampler2D edge_runs;  // struct edge_run of scene/edge_lists.h, TABLE_ROW a row
 uniform sampler2D edge_map;    // struct edge_vertex, as many a row
 uniform usampler2D front_layer; // see gather_layer.frag
 uniform usampler2D second_layer;
@@ -24,13 +24,26 @@ uniform bool casts;        // the receiver, as well
 uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
 
 const int LAYERS = 3;
-const int TABLE_ROW_BITS = 10;
+const float TABLE_ROW = 1024.0;
 const float BOX_STEPS = 65536.0;
 const uvec2 BOX_SHIFT = uvec2(0u, 16u);
 // Sheets that the counters have room for; behind more nothing is lit.
 const int WINDING_MAX = 15;
 // So many leave nothing to edges.
 const int HIDDEN = 1024;
+
+// Tables and maps are looked up where texels have their middles: texelFetch() is the same, but twice
+// as dear to llvmpipe, which finds level, size and stride of each lane. rows: 1 / those of the table.
+vec2 table_place(int i, float rows)
+{
+	float at = (float(i) + 0.5) * (1.0 / TABLE_ROW), row = floor(at);
+	return vec2(at - row, (row + 0.5) * rows);
+}
+
+float row_share(ivec2 table)
+{
+	return 1.0 / float(table.y);
+}
 
 float cross_of(vec2 a, vec2 b)
 {
@@ -87,12 +100,12 @@ struct sheets {
 	sheet of[LAYERS];
 };
 
-sheets sheets_at(ivec2 texel)
+sheets sheets_at(vec2 at)
 {
 	sheets found;
-	found.of[0] = sheet_of(texelFetch(front_layer, texel, 0));
-	found.of[1] = sheet_of(texelFetch(second_layer, texel, 0));
-	found.of[2] = sheet_of(texelFetch(third_layer, texel, 0));
+	found.of[0] = sheet_of(textureLod(front_layer, at, 0.0));
+	found.of[1] = sheet_of(textureLod(second_layer, at, 0.0));
+	found.of[2] = sheet_of(textureLod(third_layer, at, 0.0));
 	return found;
 }
 
@@ -176,8 +189,8 @@ origin origin_among(receiver r, origin middle, int tries)
 		vec2 step = vec2(float(i & 1), float(i >> 1));
 		vec2 texel = nearest + beside * (x_first ? step : step.yx);
 		texel = clamp(texel, vec2(0.0), vec2(map_size.x - 1.0));
-		vec2 off = (texel + 0.5) * map_size.y - r.s.xy;
-		sheets sheets = sheets_at(ivec2(texel));
+		vec2 at = (texel + 0.5) * map_size.y, off = at - r.s.xy;
+		sheets sheets = sheets_at(at);
 		lead leads[LAYERS];
 		bool alone = layer_count < 2 || sheets.of[1].depth > 1.0;
 		float strange = NOT_FOUND, limit = alone ? STRANGE_ALONE : 1.0;
@@ -337,6 +350,7 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end)
 #else
 	float moved = snap;
 #endif
+	float rows = row_share(textureSize(edge_map, 0));
 	vec2 path = r.s.xy - from.at - moved * BESIDE;
 	edge edge;
 	float across_a = 0.0, across_b = 0.0, depth_a = 0.0, depth_b = 0.0;
@@ -349,7 +363,7 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end)
 		// To the next edge that may be before the disc: where some lanes of a processor
 		// still look for theirs the others wait here, not at each edge.
 		while (i < end) {
-			vec4 v = texelFetch(edge_map, ivec2(i & 1023, i >> TABLE_ROW_BITS), 0);
+			vec4 v = textureLod(edge_map, table_place(i, rows), 0.0);
 #ifdef RUNS
 			bool begins = i == first;
 #else
@@ -441,11 +455,11 @@ sums walk(receiver r, origin from, int first, int end)
 {
 	sums sum = no_sums();
 	reach reach = reach_of(r, from);
+	float rows = row_share(textureSize(edge_runs, 0));
 	for (int run = first; run < end;) {
 		int begin = 0, stop = 0;
 		while (run < end) {
-			uvec4 found = texelFetch(
-				edge_runs, ivec2(run & 1023, run >> TABLE_ROW_BITS), 0);
+			uvec4 found = textureLod(edge_runs, table_place(run, rows), 0.0);
 			float start = uintBitsToFloat(found.y);
 			vec2 low = vec2(ivec2(found.zz >> BOX_SHIFT & 0xffffu));
 			vec2 high = vec2(ivec2(found.ww >> BOX_SHIFT & 0xffffu)) + 1.0;
@@ -484,7 +498,7 @@ float gathered_visibility(receiver r)
 	vec2 at = floor(r.s.xy * tile_count);
 	bool inside = all(equal(at, clamp(at, vec2(0.0), vec2(tile_count - 1.0))));
 	vec2 tile_at = inside ? at : vec2(0.0);
-	uvec4 tile = texelFetch(edge_tiles, ivec2(tile_at), 0);
+	uvec4 tile = textureLod(edge_tiles, (tile_at + 0.5) / tile_count, 0.0);
 	origin from = origin_of(r, tile, tile_at);
 	int first = int(tile.x), edges = int(tile.y & 0xffffffu);
 	bool any_before = inside && light_arrives && from.deepest > uintBitsToFloat(tile.z);

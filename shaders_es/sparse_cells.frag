@@ -17,9 +17,10 @@ struct point {
 		    // structures with a bool
 };
 
-point point_at(ivec2 texel)
+// Beyond the picture's rim that there. As in shadow_gather.glsl texelFetch() would be dearer.
+point point_at(vec2 pixel)
 {
-	uvec2 p = texelFetch(point_map, clamp(texel, ivec2(0), textureSize(point_map, 0) - 1), 0).xy;
+	uvec2 p = textureLod(point_map, pixel / vec2(textureSize(point_map, 0)), 0.0).xy;
 	return point(uintBitsToFloat(p.x), float(p.y & 0xffffu) / 65535.0, float(p.y >> 16 != 0u));
 }
 
@@ -59,7 +60,7 @@ void main()
 	// Of four by four points those in the middle are the cell's corners.
 	point p[16];
 	for (int i = 0; i < 16; i++)
-		p[i] = point_at(ivec2(gl_FragCoord.xy) + ivec2(i & 3, i >> 2) - 1);
+		p[i] = point_at(gl_FragCoord.xy + vec2(i & 3, i >> 2) - 1.0);
 	vec3 plane = plane_through(p);
 	float tolerance = cell_depth.x + cell_depth.y * plane.x;
 	float off_corners = 0.0;

@@ -7,7 +7,8 @@ uniform vec2 cell_depth;  // see sparse_cells.frag
 bool is_between_points(out float v)
 {
 	vec2 at = gl_FragCoord.xy * cell_scale + 1.0, f = fract(at);
-	cell c = unpack_cell(texelFetch(cell_map, ivec2(at), 0));
+	vec2 middle = (floor(at) + 0.5) / vec2(textureSize(cell_map, 0));
+	cell c = unpack_cell(textureLod(cell_map, middle, 0.0));
 	float depth = c.depth + c.depth_x * f.x + c.depth_y * f.y;
 	vec2 row = mix(c.v.xz, c.v.yw, f.x);
 	v = clamp(mix(row.x, row.y, f.y) - 0.5 * dot(c.bend, f * (1.0 - f)), 0.0, 1.0);
