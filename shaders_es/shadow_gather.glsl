@@ -3,7 +3,7 @@
 // coordinates of the light's screen, on which edges are straight, also in depth.
 uniform usampler2D edge_tiles; // struct edge_tile of scene/edge_grid.h
 uniform usampler2D edge_runs;  // struct edge_run of scene/edge_lists.h, TABLE_ROW a row
-uniform sampler2D edge_map;    // struct edge_vertex, as many a row
+uniform usampler2D edge_map;   // struct edge_texel of scene/edge_texel.h, as many a row
 uniform usampler2D front_layer; // see gather_layer.frag
 uniform usampler2D second_layer;
 uniform usampler2D third_layer;
@@ -25,6 +25,10 @@ uniform float disc_facing; // what window x or y are of the tangent to the light
 
 const int LAYERS = 3;
 const float TABLE_ROW = 1024.0;
+// Of edges.
+const int DEPTH_BITS = 11;
+const uint DEPTH_MASK = 2047u;
+const float DEPTH_STEPS = 4194304.0;
 const float BOX_STEPS = 65536.0;
 const uvec2 BOX_SHIFT = uvec2(0u, 16u);
 // Sheets that the counters have room for; behind more nothing is lit.
@@ -265,159 +269,217 @@ sums no_sums()
 	return sums(0, 0, 0.0, counters(none, none, none, none, none), false);
 }
 
-// An edge as seen from the receiver: ends beside it, how far before it they are, and the doubled area
-// between them and the receiver, above 0 where that has the edge's sheet on its side.
-struct edge {
-	vec2 a, b;
-	float before_a, before_b, side;
-	float sheets; // that it is the boundary of: 1, or 2
+// A receiver as edges see it: x and y in steps of their grid from the middle of the screen, depths in
+// steps of theirs.
+struct eye {
+	vec2 at;
+	float depth;
+	vec2 tilt;
+	float radius; // of the disc, x or y, over the depth before the receiver
+	float most;   // square of what a point may be beside it that is before the disc, over that
+#ifdef POINTS
+	float spacing; // to the next pixel
+#endif
 };
 
+eye eye_of(receiver r)
+{
+	float steps = 0.5 / snap;
+	eye eye;
+	eye.at = (r.s.xy - 0.5) * steps;
+	eye.depth = r.s.z * DEPTH_STEPS;
+	eye.tilt = r.tilt * (DEPTH_STEPS / steps);
+	eye.radius = disc_scale * (steps / DEPTH_STEPS);
+	eye.most = eye.radius * eye.radius / (r.shrink * r.shrink);
+#ifdef POINTS
+	eye.spacing = r.spacing * steps;
+#endif
+	return eye;
+}
+
+// An edge as seen from the receiver, in the same steps: ends beside it, their depths and how far before
+// it they are, and the doubled area between them and the receiver, above 0 where that has the edge's
+// sheet on its side.
+struct edge {
+	vec2 a, b;
+	float depth_a, depth_b, before_a, before_b, side;
+};
+
+// Of a struct edge_texel of scene/edge_texel.h.
+edge edge_of(uvec4 texel, eye eye)
+{
+	vec4 ends = vec4(ivec4(texel) >> DEPTH_BITS) - eye.at.xyxy;
+	uvec2 low = texel.yw & DEPTH_MASK;
+	vec2 depths = vec2(ivec2((texel.xz & DEPTH_MASK) << DEPTH_BITS | low));
+	float before_a = eye.depth - depths.x - dot(eye.tilt, ends.xy);
+	float before_b = eye.depth - depths.y - dot(eye.tilt, ends.zw);
+	return edge(ends.xy, ends.zw, depths.x, depths.y, before_a, before_b,
+		cross_of(ends.xy, ends.zw));
+}
+
 // The part of the disc behind an edge is that between the edge's ends less the triangle before it.
-// E is symmetric: (E a) u = a (E u), so that ends need not be faced.
-void add_edge(inout sums sum, edge edge, receiver r)
+// E is symmetric: (E a) u = a (E u), so that ends need not be faced. two: sheets end there.
+void add_edge(inout sums sum, edge edge, bool two, receiver r, eye eye)
 {
 	vec2 along = faced(r, edge.before_a * edge.b - edge.before_b * edge.a);
 	// Edges that are hit have a length.
 	float shorten = inversesqrt(max(dot(along, along), 1e-37));
 	vec2 u = along * shorten, seen = faced(r, u);
-	float h = abs(edge.side) * r.shrink * shorten / max(disc_scale, 1e-30);
+	float h = abs(edge.side) * r.shrink * shorten / max(eye.radius, 1e-30);
 	float half_chord = sqrt(max(1.0 - h * h, 0.0));
 	// Ends in the receiver's plane are infinitely far off.
-	float t0 = dot(edge.a, seen) / max(disc_scale * edge.before_a, 1e-30);
-	float t1 = dot(edge.b, seen) / max(disc_scale * edge.before_b, 1e-30);
+	float t0 = dot(edge.a, seen) / max(eye.radius * edge.before_a, 1e-30);
+	float t1 = dot(edge.b, seen) / max(eye.radius * edge.before_b, 1e-30);
 	t0 = edge.before_a > 0.0 ? max(t0, -half_chord) : -half_chord;
 	t1 = edge.before_b > 0.0 ? min(t1, half_chord) : half_chord;
 	bool before = h < 1.0 && t0 < t1;
 	float sign = edge.side >= 0.0 ? 1.0 : -1.0;
 	float low = right_angle_of(t0, h), high = right_angle_of(t1, h);
-	float share = edge.sheets * sign * (high - low - (t1 - t0) * h);
-	sum.behind += before ? share : 0.0;
+	float share = sign * (high - low - (t1 - t0) * h);
+	sum.behind += before ? (two ? 2.0 * share : share) : 0.0;
 	float foot = angle_of(sign * vec2(u.y, -u.x));
 	uvec2 mask = beyond(foot, h);
 	vec2 ends = sign > 0.0 ? vec2(low, high) : vec2(-high, -low);
 	mask &= sector(foot + ends.x, foot + ends.y);
 	mask = before ? mask : uvec2(0u);
-	uvec2 two = edge.sheets > 1.0 ? mask : uvec2(0u);
-	count(sum.seen, mask ^ two, two, sign > 0.0 ? ~0u : 0u);
+	uvec2 twice = two ? mask : uvec2(0u);
+	count(sum.seen, mask ^ twice, twice, sign > 0.0 ? ~0u : 0u);
 	sum.any = sum.any || before;
 }
 
 // Whether an edge leads from its end v outside the disc farther away, so that none of it is before
-// the disc. most: square of the radius.
+// the disc.
 bool leads_away(vec2 v, float before, vec2 along, float most)
 {
 	return before > 0.0 && dot(v, along) > 0.0 && dot(v, v) > most * before * before;
 }
 
+// Whether the edge may be before the disc.
+bool may_hit(edge edge, eye eye)
+{
+	vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
+	// Compilers make a branch of a call behind &&.
+	bool away_a = leads_away(edge.a, edge.before_a, along, eye.most);
+	bool away_b = leads_away(edge.b, edge.before_b, -along, eye.most);
+	return max(edge.before_a, edge.before_b) > 0.0 &&
+		edge.side * edge.side < eye.most * dot(along, along) && !away_a && !away_b;
+}
+
 #ifdef POINTS
 // Whether the edge has a penumbra near the receiver, or between it and the next points, that does not
 // show in them.
-bool is_narrow(edge edge, receiver r)
+bool is_narrow(edge edge, eye eye)
 {
 	vec2 along = edge.b - edge.a;
 	// Where the edge is nearest; of no length, at its end.
 	float t = clamp(-dot(edge.a, along) / max(dot(along, along), 1e-30), 0.0, 1.0);
 	vec2 nearest = edge.a + t * along;
-	float width = disc_scale * mix(edge.before_a, edge.before_b, t);
-	float reach = width + 0.75 * r.spacing;
-	return width > 0.0 && width < r.spacing * WIDTH_SHOWN &&
+	float width = eye.radius * mix(edge.before_a, edge.before_b, t);
+	float reach = width + 0.75 * eye.spacing;
+	return width > 0.0 && width < eye.spacing * WIDTH_SHOWN &&
 		dot(nearest, nearest) < reach * reach;
 }
 #endif
 
 // Origins are on the raster grid, as ends of edges are. One on an edge or at its end is where
-// rasterisers have it, and edge_winding.h: a little to the right, and less upwards; of half a step.
-const vec2 BESIDE = vec2(1.0 / 128.0, 1.0 / 8192.0);
+// rasterisers have it, and edge_winding.h: a little to the right, and less upwards; of a step.
+const vec2 BESIDE = vec2(1.0 / 256.0, 1.0 / 16384.0);
 
-// Whether the origin of a way is on the side of the edge's sheet: `side` is, but for rounding and
-// BESIDE, a whole number of squares of the raster grid.
-bool has_origin(vec2 a, vec2 b, float side, float moved)
+// The way from the origin to the receiver; coarse: steps of the grid that the sheets at its start are
+// told by, which are those of the raster grid at a texel, and of edges as they are at a tile's centre.
+struct way {
+	vec2 path;
+	float coarse;
+};
+
+way way_of(receiver r, origin from)
 {
-	bool runs_down = dot(a - b, vec2(-BESIDE.y, BESIDE.x)) > 0.0;
-	return side >= (runs_down ? -2.0 : 2.0) * moved * moved;
+	float coarse = 1.0;
+#ifdef COARSE
+	coarse = from.depth > 1.0 ? 1.0 : raster_snap / snap;
+#endif
+	return way((r.s.xy - from.at) * (0.5 / snap) - coarse * BESIDE, coarse);
 }
 
-// Walks along the edges between vertices. One between the origin and the receiver is where a sheet
-// starts or ends. In whole lists, leaves them where the rest plays no part.
+// How an edge lies to a way: cross products of the way and its ends, and the sheets that are gained
+// where the way passes it.
+struct crossing {
+	float across_a, across_b;
+	int turn;
+};
+
+crossing crossing_of(edge edge, eye eye, way way)
+{
+	vec2 a = edge.a, b = edge.b;
+#ifdef COARSE
+	a = floor((a + eye.at) / way.coarse + 0.5) * way.coarse - eye.at;
+	b = floor((b + eye.at) / way.coarse + 0.5) * way.coarse - eye.at;
+#endif
+	float across_a = cross_of(way.path, a), across_b = cross_of(way.path, b);
+	// But for rounding and BESIDE a whole number of squares of the grid, of which half a one is
+	// far from any.
+	float side = cross_of(a, b) - across_a + across_b;
+	bool runs_down = dot(a - b, vec2(-BESIDE.y, BESIDE.x)) > 0.0;
+	float least = (runs_down ? -0.5 : 0.5) * way.coarse * way.coarse;
+	int turn = int(edge.side >= 0.0) - int(side >= least);
+	return crossing(
+		across_a, across_b, (across_a < 0.0) != (across_b < 0.0) ? turn : 0);
+}
+
+// Adds the sheets of an edge that the way passes.
+void pass_edge(inout sums sum, edge edge, crossing at, int sheets, origin from)
+{
+	vec2 slope = from.slope * (DEPTH_STEPS * 2.0 * snap);
+	vec2 before = from.depth * DEPTH_STEPS - vec2(edge.depth_a, edge.depth_b);
+	// How far the crossing is before both, times `past`.
+	float past = at.across_a - at.across_b;
+	float rise = dot(slope, edge.b) * at.across_a - dot(slope, edge.a) * at.across_b;
+	float lead = before.y * at.across_a - before.x * at.across_b;
+	rise = past < 0.0 ? -rise : rise;
+	lead = past < 0.0 ? -lead : lead;
+	bool counts = lead + min(rise, 0.0) > 0.0;
+	float behind = from.own_depth * DEPTH_STEPS * abs(past);
+	bool own = !counts && lead + max(rise, 0.0) >= -behind;
+	sum.winding += counts ? at.turn * sheets : 0;
+	sum.own += own ? at.turn * sheets : 0;
+}
+
+// Walks along edges. One between the origin and the receiver is where a sheet starts or ends. In whole
+// lists, which are in the order of their nearest ends, leaves them where the rest plays no part.
 void walk_edges(inout sums sum, receiver r, origin from, int first, int end)
 {
-#ifdef COARSE
-	// Sheets at a texel are told by edges as the rasteriser has them, those at a tile's centre
-	// by edges as they are.
-	float moved = from.depth > 1.0 ? snap : raster_snap, grid = 2.0 * moved;
-	vec2 told_a, told_b = vec2(0.0);
-#else
-	float moved = snap;
-#endif
-	float rows = row_share(textureSize(edge_map, 0));
-	vec2 path = r.s.xy - from.at - moved * BESIDE;
-	edge edge;
-	float across_a = 0.0, across_b = 0.0, depth_a = 0.0, depth_b = 0.0;
-	float most = disc_scale * disc_scale / (r.shrink * r.shrink);
-	edge.b = vec2(0.0);
-	edge.before_b = 0.0;
+	float rows = row_share(textureSize(edge_map, 0)), deepest = from.deepest * DEPTH_STEPS;
+	eye eye = eye_of(r);
+	way way = way_of(r, from);
 	for (int i = first; i < end;) {
-		bool hit = false;
-		int turn = 0;
+		bool plays = false;
+		uvec4 texel = uvec4(0u);
 		// To the next edge that may be before the disc: where some lanes of a processor
-		// still look for theirs the others wait here, not at each edge.
+		// still look for theirs the others wait here, not at each edge. What is known of it
+		// is found again below: that costs less than to keep it apart for each lane.
 		while (i < end) {
-			vec4 v = textureLod(edge_map, table_place(i, rows), 0.0);
-#ifdef RUNS
-			bool begins = i == first;
-#else
-			bool begins = v.w > 0.0;
-			end = begins && from.deepest <= v.w - 1.0 ? i : end;
+			texel = textureLod(edge_map, table_place(i, rows), 0.0);
+			edge next = edge_of(texel, eye);
+#ifndef RUNS
+			end = min(next.depth_a, next.depth_b) < deepest ? end : i;
 #endif
-			edge.sheets = 1.0 - v.w;
-			across_a = across_b;
-			depth_a = depth_b;
-			edge.a = edge.b;
-			edge.before_a = edge.before_b;
-			depth_b = v.z;
-			edge.b = v.xy - r.s.xy;
-			edge.before_b = r.s.z - v.z - dot(r.tilt, edge.b);
-#ifdef COARSE
-			told_a = told_b;
-			told_b = floor(v.xy / grid + 0.5) * grid - r.s.xy;
-#else
-			vec2 told_a = edge.a, told_b = edge.b;
-#endif
-			across_b = cross_of(path, told_b);
-			edge.side = cross_of(edge.a, edge.b);
-			float side_origin = cross_of(told_a, told_b) - across_a + across_b;
-			turn = int(edge.side >= 0.0) -
-				int(has_origin(told_a, told_b, side_origin, moved));
-			turn = !begins && (across_a < 0.0) != (across_b < 0.0) ? turn : 0;
+			bool passed = crossing_of(next, eye, way).turn != 0;
+			bool hit = may_hit(next, eye);
+			plays = passed || hit;
 #ifdef POINTS
-			bool narrow = is_narrow(edge, r);
-			narrow_penumbra = narrow_penumbra || (narrow && !begins);
+			bool narrow = is_narrow(next, eye);
+			narrow_penumbra = narrow_penumbra || narrow;
 #endif
-			vec2 along = edge.before_a * edge.b - edge.before_b * edge.a;
-			// Compilers make a branch of a call behind &&.
-			bool away_a = leads_away(edge.a, edge.before_a, along, most);
-			bool away_b = leads_away(edge.b, edge.before_b, -along, most);
-			hit = !begins && max(edge.before_a, edge.before_b) > 0.0 &&
-				edge.side * edge.side < most * dot(along, along) && !away_a &&
-				!away_b;
 			i++;
-			if (i >= end || hit || turn != 0)
+			if (i >= end || plays)
 				break;
 		}
-		// How far the crossing is before both, times `past`.
-		float past = across_a - across_b;
-		float rise = dot(from.slope, edge.b) * across_a - dot(from.slope, edge.a) * across_b;
-		float lead = (from.depth - depth_b) * across_a - (from.depth - depth_a) * across_b;
-		rise = past < 0.0 ? -rise : rise;
-		lead = past < 0.0 ? -lead : lead;
-		bool counts = lead + min(rise, 0.0) > 0.0;
-		bool own = !counts && lead + max(rise, 0.0) >= -from.own_depth * abs(past);
-		turn *= int(edge.sheets);
-		sum.winding += counts ? turn : 0;
-		sum.own += own ? turn : 0;
-		if (hit)
-			add_edge(sum, edge, r);
+		edge edge = edge_of(texel, eye);
+		bool two = (texel.w & 1u) != 0u, hit = may_hit(edge, eye);
+		if (plays)
+			pass_edge(sum, edge, crossing_of(edge, eye, way), two ? 2 : 1, from);
+		if (plays && hit)
+			add_edge(sum, edge, two, r, eye);
 		if (i >= end)
 			break;
 	}
@@ -469,7 +531,7 @@ sums walk(receiver r, origin from, int first, int end)
 			end = from.deepest > start ? end : run;
 			bool near = from.deepest > start && dot(off, off) <= within * within;
 			begin = int(found.x & 0xffffffu);
-			stop = near ? begin + int(found.x >> 24) + 1 : begin;
+			stop = near ? begin + int(found.x >> 24) : begin;
 			run++;
 			if (run >= end || stop != begin)
 				break;

@@ -474,9 +474,7 @@ static void walk(struct sums *sums, const struct gather *gather, const struct ey
 			struct chord chord;
 			a = b;
 			b = end_of(eye, &stretch.vertices[k]);
-			if (stretch.vertices[k].start > 0.0f)
-				continue;
-			int sheets = 1 - (int)stretch.vertices[k].start;
+			int sheets = (int)stretch.vertices[k].sheets;
 			cross_edge(sums, gather, eye, origin, &a, &b, sheets);
 			if (find_chord(&chord, eye, &a, &b))
 				add_chord(sums, gather, &chord, sheets);

@@ -52,15 +52,14 @@ static size_t fill_tiles(struct edge_grid *grid)
 	const struct edge_lists *lists = &grid->lists;
 	size_t filled = 0;
 	for (size_t t = 0; t < (size_t)grid->tiles * grid->tiles; t++) {
-		uint32_t first = lists->first[t], count = lists->first[t + 1] - first;
+		const uint32_t *firsts = lists->whole ? lists->first_copy : lists->first;
+		uint32_t first = firsts[t], count = firsts[t + 1] - first;
 		int32_t winding = grid->winding[t] + WINDING_BIAS;
 		winding = winding < 0 ? 0 : winding > 255 ? 255 : winding;
 		grid->of[t] = (struct edge_tile){
 			.first = first,
 			.count_winding = count | (uint32_t)winding << 24,
-			.nearest = count == 0     ? 2.0f
-				   : lists->whole ? lists->copies[first].start - 1.0f
-						  : lists->runs[first].start,
+			.nearest = count == 0 ? 2.0f : lists->runs[lists->first[t]].start,
 			.farthest = grid->depths.farthest[t],
 		};
 		filled += count != 0;
@@ -84,10 +83,12 @@ static bool find(struct edge_grid *grid, const struct sm_scene *scene,
 	edge_winding_find(&grid->chains, raster.screen, grid->tiles, grid->winding);
 	size_t filled = fill_tiles(grid);
 	grid->whole = grid->lists.whole;
-	grid->vertices = grid->whole ? grid->lists.copies : grid->lists.vertices;
+	grid->texels = grid->whole ? grid->lists.copies : grid->lists.texels;
 	grid->runs = grid->lists.runs;
-	grid->vertex_count = grid->whole ? grid->lists.copy_count : grid->lists.vertex_count;
+	grid->vertices = grid->lists.vertices;
+	grid->texel_count = grid->whole ? grid->lists.copy_count : grid->lists.vertex_count;
 	grid->run_count = grid->lists.run_count;
+	grid->vertex_count = grid->lists.vertex_count;
 	grid->edge_count = grid->chains.edge_count;
 	grid->dropped = grid->lists.dropped;
 	grid->mean_list = filled == 0 ? 0.0f : (float)grid->lists.edge_count / (float)filled;

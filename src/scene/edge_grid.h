@@ -7,7 +7,7 @@
 
 /** What receivers in a tile of the light's screen need; RGBA32UI. */
 struct edge_tile {
-	uint32_t first;         /* of its runs, or, in whole lists, vertices */
+	uint32_t first;         /* of its runs, or, in whole lists, edges */
 	uint32_t count_winding; /* how many of those (24 bits) + (128 + winding number at the tile's
 				   centre, behind all casters) << 24 */
 	float nearest;          /* depth that none of its edges is before; 2: no edges */
@@ -61,10 +61,11 @@ struct edge_grid_options {
 struct edge_grid {
 	uint32_t tiles;       /* a side */
 	struct edge_tile *of; /* [tiles * tiles], row after row from the lower left; owned */
-	bool whole;           /* lists are of vertices, not of runs */
-	const struct edge_vertex *vertices; /* [vertex_count], of lists */
-	const struct edge_run *runs;        /* [run_count], of lists */
-	size_t vertex_count, run_count;
+	bool whole;           /* tiles' lists are of texels, not of runs */
+	const struct edge_texel *texels;    /* [texel_count], of lists */
+	const struct edge_run *runs;        /* [run_count], of lists; if they are whole as well */
+	const struct edge_vertex *vertices; /* [vertex_count], that runs are of */
+	size_t texel_count, run_count, vertex_count;
 	size_t edge_count; /* of the sheets' boundaries */
 	size_t dropped;    /* entries of lists that there was no room for */
 	float mean_list;   /* edges in a list that has any */
@@ -78,7 +79,7 @@ struct edge_grid {
 	size_t tile_capacity, winding_capacity;
 };
 
-/** Vertices that follow each other; edges lead between them but to those with a start. */
+/** Vertices that follow each other, with edges between them. */
 struct edge_stretch {
 	const struct edge_vertex *vertices; /* [edges + 1] */
 	uint32_t edges;
@@ -88,16 +89,14 @@ struct edge_stretch {
 static inline uint32_t edge_tile_stretches(
 	const struct edge_grid *grid, const struct edge_tile *tile)
 {
-	return grid->whole ? edge_tile_count(tile) > 0 : edge_tile_count(tile);
+	const uint32_t *first = &grid->lists.first[tile - grid->of];
+	return first[1] - first[0];
 }
 
 static inline struct edge_stretch edge_tile_stretch(
 	const struct edge_grid *grid, const struct edge_tile *tile, uint32_t i)
 {
-	if (grid->whole)
-		return (struct edge_stretch){
-			&grid->vertices[tile->first], edge_tile_count(tile) - 1};
-	const struct edge_run *run = &grid->runs[tile->first + i];
+	const struct edge_run *run = &grid->runs[grid->lists.first[tile - grid->of] + i];
 	return (struct edge_stretch){&grid->vertices[edge_run_first(run)], edge_run_count(run)};
 }
 

@@ -52,6 +52,8 @@ static bool reserve(struct edge_lists *lists, size_t tiles, size_t points)
 {
 	return array_reserve((void **)&lists->first, &lists->first_capacity, tiles + 1,
 		       sizeof(*lists->first)) &&
+	       array_reserve((void **)&lists->first_copy, &lists->first_copy_capacity, tiles + 1,
+		       sizeof(*lists->first_copy)) &&
 	       array_reserve(
 		       (void **)&lists->ends, &lists->end_capacity, tiles, sizeof(*lists->ends)) &&
 	       array_reserve((void **)&lists->entries, &lists->entry_capacity, tiles,
@@ -275,7 +277,7 @@ static struct edge_vertex vertex_of(
 {
 	float step = 1.0f / (float)screen;
 	return (struct edge_vertex){
-		(float)point->x * step, (float)point->y * step, point->depth, 1.0f - (float)sheets};
+		(float)point->x * step, (float)point->y * step, point->depth, (float)sheets};
 }
 
 /* Writes the collected edges, each tile's in the chains' order. */
@@ -292,6 +294,8 @@ static void write_lists(
 			lists->vertices[vertex++] = vertex_of(&edge[k], screen, edge->sheets);
 		if (added == 0)
 			continue;
+		lists->texels[vertex - 2] = edge_texel_of(edge, screen);
+		lists->texels[vertex - 1] = (struct edge_texel){{0}}; /* none, as yet */
 		struct edge_run alone = run_of(edge, vertex - 2, screen);
 		for (; entry < lists->entry_ends[i]; entry++) {
 			struct list_end *end = &lists->ends[lists->entries[entry]];
@@ -337,29 +341,33 @@ static void sort_lists(struct edge_lists *lists, size_t tiles)
 	}
 }
 
-static float start_at(float depth)
+/* Puts edges behind those of a list that are no farther; returns the list's end. */
+static struct edge_texel *insert_edges(const struct edge_texel *list, struct edge_texel *end,
+	const struct edge_texel *edges, uint32_t count)
 {
-	float start = 1.0f + depth;
-	return start - 1.0f > depth ? nextafterf(start, 0.0f) : start;
+	for (uint32_t i = 0; i < count; i++) {
+		uint32_t nearest = edge_texel_nearest(&edges[i]);
+		struct edge_texel *place = end++;
+		for (; place > list && edge_texel_nearest(place - 1) > nearest; place--)
+			*place = place[-1];
+		*place = edges[i];
+	}
+	return end;
 }
 
-/* Gives each list its own vertices, those of its runs. There is room for them. */
+/* Gives each list its own edges, those of its runs. There is room for them. */
 static void copy_lists(struct edge_lists *lists, size_t tiles)
 {
-	struct edge_vertex *to = lists->copies;
+	struct edge_texel *end = lists->copies;
 	const struct edge_run *run = lists->runs;
 	for (size_t t = 0; t < tiles; t++) {
-		const struct edge_run *end = &lists->runs[lists->first[t + 1]];
-		lists->first[t] = (uint32_t)(to - lists->copies);
-		for (; run < end; run++) {
-			uint32_t count = edge_run_count(run) + 1;
-			memcpy(to, &lists->vertices[edge_run_first(run)], count * sizeof(*to));
-			to->start = start_at(run->start);
-			to += count;
-		}
+		struct edge_texel *list = end;
+		lists->first_copy[t] = (uint32_t)(list - lists->copies);
+		for (; run < &lists->runs[lists->first[t + 1]]; run++)
+			end = insert_edges(list, end, &lists->texels[edge_run_first(run)],
+				edge_run_count(run));
 	}
-	lists->first[tiles] = (uint32_t)(to - lists->copies);
-	lists->run_count = 0;
+	lists->first_copy[tiles] = (uint32_t)(end - lists->copies);
 }
 
 /* Edges of a list, in the mean, up to which a look at each is less than one at the boxes of runs,
@@ -379,11 +387,12 @@ static bool are_short(const struct edge_lists *lists, size_t tiles)
 static enum edge_lists_result make(
 	struct edge_lists *lists, const struct edge_chains *chains, size_t tiles, uint32_t screen)
 {
-	/* A run has a vertex more than edges. */
-	lists->copy_count = lists->whole ? lists->entry_count + lists->run_count : 0;
+	lists->copy_count = lists->whole ? lists->entry_count : 0;
 	/* One more, so that an empty array is somewhere. */
 	if (!array_reserve((void **)&lists->vertices, &lists->vertex_capacity,
 		    lists->vertex_count + 1, sizeof(*lists->vertices)) ||
+		!array_reserve((void **)&lists->texels, &lists->texel_capacity,
+			lists->vertex_count + 1, sizeof(*lists->texels)) ||
 		!array_reserve((void **)&lists->runs, &lists->run_capacity, lists->run_count + 1,
 			sizeof(*lists->runs)) ||
 		!array_reserve((void **)&lists->copies, &lists->copy_capacity,
@@ -412,7 +421,7 @@ enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct ed
 		return result;
 	lists->edge_count = lists->entry_count;
 	bool short_lists = are_short(lists, tiles);
-	lists->whole = short_lists && lists->entry_count + lists->run_count <= room.copies;
+	lists->whole = short_lists && lists->entry_count <= room.copies;
 	if (short_lists && !lists->whole && !drop)
 		return EDGE_LISTS_FULL;
 	return make(lists, chains, tiles, screen);
@@ -421,9 +430,11 @@ enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct ed
 void edge_lists_finish(struct edge_lists *lists)
 {
 	free(lists->vertices);
+	free(lists->texels);
 	free(lists->copies);
 	free(lists->runs);
 	free(lists->first);
+	free(lists->first_copy);
 	free(lists->entries);
 	free(lists->entry_ends);
 	free(lists->ends);
@@ -432,9 +443,11 @@ void edge_lists_finish(struct edge_lists *lists)
 
 size_t edge_lists_bytes(const struct edge_lists *lists)
 {
-	return (lists->vertex_capacity + lists->copy_capacity) * sizeof(*lists->vertices) +
+	return lists->vertex_capacity * sizeof(*lists->vertices) +
+	       (lists->texel_capacity + lists->copy_capacity) * sizeof(*lists->texels) +
 	       lists->run_capacity * sizeof(*lists->runs) +
-	       (lists->first_capacity + lists->entry_end_capacity) * sizeof(uint32_t) +
+	       (lists->first_capacity + lists->first_copy_capacity + lists->entry_end_capacity) *
+		       sizeof(uint32_t) +
 	       lists->end_capacity * sizeof(*lists->ends) +
 	       lists->entry_capacity * sizeof(*lists->entries);
 }

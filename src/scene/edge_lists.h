@@ -3,14 +3,13 @@
 #define SCENE_EDGE_LISTS_H
 
 #include "scene/edge_cover.h"
+#include "scene/edge_texel.h"
 
-/** A point of a chain of silhouette edges; as a texture holds it, RGBA32F. */
+/** A point of a chain of silhouette edges. */
 struct edge_vertex {
-	float x, y;  /* window coordinates of the light's screen, on the raster grid */
-	float depth; /* window depth */
-	float start; /* up to 0: an edge of 1 - start sheets leads here from the vertex before.
-			Else, in whole lists, none does, and nothing from here to the list's end
-			is before depth start - 1 (rounded down) */
+	float x, y;   /* window coordinates of the light's screen, on the raster grid */
+	float depth;  /* window depth */
+	float sheets; /* that end at the edge which leads here from the vertex before */
 };
 
 /** Most edges of a run. */
@@ -22,7 +21,7 @@ struct edge_vertex {
 /** Edges of a chain that follow each other, in the list of a tile; RGBA32UI. The sheet of each is
  * on its left as the light sees it (x right, y up). */
 struct edge_run {
-	uint32_t first_count; /* its first vertex (24 bits) + edges << 24 */
+	uint32_t first_count; /* its first vertex, or texel, (24 bits) + edges << 24 */
 	float start;          /* depth that nothing from here to the list's end is before */
 	uint16_t min[2];      /* around the part on the screen, x and y: from min to max + 1 */
 	uint16_t max[2];
@@ -41,11 +40,14 @@ static inline uint32_t edge_run_count(const struct edge_run *run)
 /** Silhouette edges by the tiles they concern. Zero is empty; memory is kept from one search to the
  *  next. */
 struct edge_lists {
-	bool whole;                   /* each list has its own vertices, and there are no runs */
+	bool whole;                   /* each list has edges of its own as well */
 	struct edge_vertex *vertices; /* [vertex_count]: of all edges that are listed; owned */
-	struct edge_vertex *copies;   /* [copy_count]: of whole lists, tile after tile; owned */
+	struct edge_texel *texels;    /* [vertex_count]: from each of them to the next, if there is
+					 an edge; owned */
+	struct edge_texel *copies;    /* [copy_count]: of whole lists, tile after tile; owned */
 	struct edge_run *runs;        /* [run_count]: tile after tile; owned */
-	uint32_t *first; /* [tiles * tiles + 1]: of a tile's runs, or vertices of its own; owned */
+	uint32_t *first;              /* [tiles * tiles + 1]: of a tile's runs; owned */
+	uint32_t *first_copy;         /* likewise, of its copies; owned */
 	size_t vertex_count, copy_count, run_count;
 	size_t edge_count; /* in all lists together */
 	size_t dropped;    /* that there was no room for */
@@ -54,12 +56,12 @@ struct edge_lists {
 	uint32_t *entry_ends;  /* of edges, by their first points */
 	struct list_end *ends; /* [tiles * tiles] */
 	size_t entry_count;
-	size_t vertex_capacity, copy_capacity, run_capacity, first_capacity, entry_capacity,
-		entry_end_capacity, end_capacity;
+	size_t vertex_capacity, texel_capacity, copy_capacity, run_capacity, first_capacity,
+		first_copy_capacity, entry_capacity, entry_end_capacity, end_capacity;
 };
 
-/** What lists may have in all, each below 2^24: runs and the vertices of those, or if they are
- * whole vertices of their own. */
+/** What lists may have in all, each below 2^24: runs and the vertices of those, and if they are
+ * whole edges of their own. */
 struct edge_room {
 	size_t runs, vertices, copies;
 };
@@ -68,10 +70,10 @@ struct edge_room {
 enum edge_lists_result { EDGE_LISTS_FULL, EDGE_LISTS_MADE, EDGE_LISTS_NO_MEMORY };
 
 /**
- * Lists the edges of all chains. Within a list runs are in the order of their nearest points, also
- * where it is whole: as lists are if most are short, where boxes tell little. If there is too
- * little room: FULL, or with `drop` lists of the edges that are nearest to the light. screen: steps
- * of the raster grid a side.
+ * Lists the edges of all chains. Within a list runs are in the order of their nearest points, and
+ * where it is whole edges are: as lists are if most are short, where boxes tell little. If there is
+ * too little room: FULL, or with `drop` lists of the edges that are nearest to the light. screen:
+ * steps of the raster grid a side.
  */
 enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct edge_chains *chains,
 	struct edge_cover *cover, uint32_t screen, struct edge_room room, bool drop);

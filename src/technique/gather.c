@@ -10,23 +10,22 @@
 #include <float.h>
 #include <math.h>
 
-/* Runs or vertices in a row of their texture; as in shadow_gather.glsl. */
+/* Runs or edges in a row of their texture; as in shadow_gather.glsl. */
 #define TABLE_ROW 1024
 
-/* A texture of runs or vertices. */
+/* A texture of runs or edges. */
 struct list_table {
 	GLuint texture;
 	GLsizei rows;
 };
 
 /* Penumbrae from the silhouette edges themselves, listed for tiles of the light's screen: each
- * receiver adds up which part of the light's disc lies behind which edge. Integer and float
- * textures are fetched alone, and the layers are integers: core ES 3.0, whatever a driver makes of
- * floats. */
+ * receiver adds up which part of the light's disc lies behind which edge. All textures are of
+ * integers: core ES 3.0, whatever a driver makes of floats. */
 struct gather {
 	struct sheet_layers layers;
 	GLuint tiles, masks;
-	struct list_table runs, vertices;
+	struct list_table runs, edges;
 	struct edge_grid grid;
 	struct screen_grid soft;
 	float farthest[SCREEN_GRID_SIZE * SCREEN_GRID_SIZE]; /* of casters over a cell; 0: none */
@@ -76,7 +75,7 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 	upload_masks(gather, gl);
 	gather->tiles = create_table(gl, STORAGE_EDGE_LISTS);
 	gather->runs.texture = create_table(gl, STORAGE_EDGE_LISTS);
-	gather->vertices.texture = create_table(gl, STORAGE_EDGE_LISTS);
+	gather->edges.texture = create_table(gl, STORAGE_EDGE_LISTS);
 	return true;
 }
 
@@ -86,7 +85,7 @@ static void gather_finish(void *state, struct gpu *gpu)
 	depth_map_finish(&gather->hard, gpu);
 	edge_grid_finish(&gather->grid);
 	gl_delete_texture(&gpu->gl, &gather->runs.texture);
-	gl_delete_texture(&gpu->gl, &gather->vertices.texture);
+	gl_delete_texture(&gpu->gl, &gather->edges.texture);
 	gl_delete_texture(&gpu->gl, &gather->tiles);
 	gl_delete_texture(&gpu->gl, &gather->masks);
 	sheet_layers_finish(&gather->layers, gpu);
@@ -103,39 +102,41 @@ static int sheets_in_line(const struct edge_grid *grid)
 	return most < GATHER_LAYERS ? most : GATHER_LAYERS;
 }
 
-/* Of a table of RGBA32F or RGBA32UI, TABLE_ROW a row. */
+/* Of a table of RGBA32UI, TABLE_ROW a row. */
 #define TABLE_TEXEL_BYTES 16
 _Static_assert(sizeof(struct edge_run) == TABLE_TEXEL_BYTES, "a texel");
-_Static_assert(sizeof(struct edge_vertex) == TABLE_TEXEL_BYTES, "a texel");
+_Static_assert(sizeof(struct edge_texel) == TABLE_TEXEL_BYTES, "a texel");
 
 /* Writes texels, at most `most`, a whole number of rows. */
-static void upload_table(struct gl *gl, struct list_table *table, const struct texel_format *as,
-	const void *texels, size_t count, GLsizei most)
+static void upload_table(
+	struct gl *gl, struct list_table *table, const void *texels, size_t count, GLsizei most)
 {
+	static const struct texel_format as = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
 	GLsizei full = (GLsizei)(count / TABLE_ROW), rest = (GLsizei)(count % TABLE_ROW);
 	GLsizei rows = full + (rest > 0);
 	gl->BindTexture(GL_TEXTURE_2D, table->texture);
 	if (rows > table->rows || rows == 0) {
 		table->rows =
 			rows + rows / 2 < most / TABLE_ROW ? rows + rows / 2 : most / TABLE_ROW;
-		gl_fill_texture(gl, table->texture, as, TABLE_ROW, table->rows, NULL);
+		gl_fill_texture(gl, table->texture, &as, TABLE_ROW, table->rows, NULL);
 	}
 	if (full > 0)
 		gl->TexSubImage2D(
-			GL_TEXTURE_2D, 0, 0, 0, TABLE_ROW, full, as->format, as->type, texels);
+			GL_TEXTURE_2D, 0, 0, 0, TABLE_ROW, full, as.format, as.type, texels);
 	if (rest > 0)
-		gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, as->format, as->type,
+		gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, as.format, as.type,
 			(const char *)texels + (size_t)full * TABLE_ROW * TABLE_TEXEL_BYTES);
 }
 
-static void upload_edges(struct gather *gather, struct gl *gl)
+/* Returns how many bytes. */
+static size_t upload_edges(struct gather *gather, struct gl *gl)
 {
-	static const struct texel_format runs = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
-	static const struct texel_format vertices = {GL_RGBA32F, GL_RGBA, GL_FLOAT};
 	const struct edge_grid *grid = &gather->grid;
-	upload_table(gl, &gather->runs, &runs, grid->runs, grid->run_count, GATHER_RUNS_MAX);
-	upload_table(gl, &gather->vertices, &vertices, grid->vertices, grid->vertex_count,
+	size_t runs = grid->whole ? 0 : grid->run_count;
+	upload_table(gl, &gather->runs, grid->runs, runs, GATHER_RUNS_MAX);
+	upload_table(gl, &gather->edges, grid->texels, grid->texel_count,
 		grid->whole ? GATHER_COPIES_MAX : GATHER_VERTICES_MAX);
+	return (runs + grid->texel_count) * TABLE_TEXEL_BYTES;
 }
 
 static void upload_tiles(struct gather *gather, struct gpu *gpu)
@@ -207,11 +208,9 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 		gpu->stats.silhouette_ms += processor_ms() - start;
 		gpu->gl.ActiveTexture(GL_TEXTURE0);
 		upload_tiles(gather, gpu);
-		upload_edges(gather, &gpu->gl);
-		gpu->stats.uploaded_bytes +=
-			(gather->grid.vertex_count + gather->grid.run_count) * TABLE_TEXEL_BYTES +
-			(uint64_t)gather->grid.tiles * gather->grid.tiles *
-				sizeof(struct edge_tile);
+		gpu->stats.uploaded_bytes += upload_edges(gather, &gpu->gl) +
+					     (uint64_t)gather->grid.tiles * gather->grid.tiles *
+						     sizeof(struct edge_tile);
 	}
 	gl_pop_group(&gpu->gl);
 	return found || error_no_memory(error);
@@ -387,7 +386,7 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 	gl->Uniform1i(program->uniform.layer_count, gather->layers.count);
 	gpu_bind_texture(gpu, UNIT_EDGE_TILES, gather->tiles);
 	gpu_bind_texture(gpu, UNIT_EDGE_RUNS, gather->runs.texture);
-	gpu_bind_texture(gpu, UNIT_EDGES, gather->vertices.texture);
+	gpu_bind_texture(gpu, UNIT_EDGES, gather->edges.texture);
 	gpu_bind_texture(gpu, UNIT_DISC_MASKS, gather->masks);
 	depth_map_set_receiver(gpu, gather->layers.depth.size, DEPTH_MAP_NEAREST, frame, program);
 	gl->Uniform1f(program->uniform.disc_scale, disc_scale(frame));

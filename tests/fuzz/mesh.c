@@ -275,15 +275,13 @@ static void check_frame(const struct light_frame *frame, const struct sm_scene *
 	expect(frame->pole >= 1.0f && isfinite(frame->pole));
 }
 
-/* Finite edges, the nearest first, and nothing before what starts say. */
+/* Finite edges, and nothing before what the list says. */
 static void check_stretch(const struct edge_stretch *stretch, float start)
 {
 	expect(stretch->edges >= 1);
 	for (uint32_t i = 0; i <= stretch->edges; i++) {
 		const struct edge_vertex *at = &stretch->vertices[i];
 		expect(isfinite(at->x) && isfinite(at->y) && isfinite(at->depth));
-		expect(at->start <= 0.0f || at->start - 1.0f >= start);
-		start = at->start <= 0.0f ? start : at->start - 1.0f;
 		expect(at->depth >= start);
 	}
 }
@@ -294,20 +292,21 @@ static void check_list(const struct edge_grid *grid, const struct edge_tile *til
 	for (uint32_t i = 0; i < edge_tile_stretches(grid, tile); i++) {
 		struct edge_stretch stretch = edge_tile_stretch(grid, tile, i);
 		expect(stretch.vertices + stretch.edges < grid->vertices + grid->vertex_count);
-		if (!grid->whole) {
-			const struct edge_run *run = &grid->runs[tile->first + i];
-			expect(stretch.edges <= EDGE_RUN_MAX && run->start >= start);
-			start = run->start;
-		}
+		const struct edge_run *run = &grid->runs[grid->lists.first[tile - grid->of] + i];
+		expect(stretch.edges <= EDGE_RUN_MAX && run->start >= start);
+		start = run->start;
 		check_stretch(&stretch, start);
 	}
+	for (uint32_t k = 1; grid->whole && k < edge_tile_count(tile); k++)
+		expect(edge_texel_nearest(&grid->texels[tile->first + k - 1]) <=
+			edge_texel_nearest(&grid->texels[tile->first + k]));
 }
 
 static void check_edge_grid(const struct edge_grid *grid, const struct edge_room *room)
 {
-	size_t sum = 0, count = grid->whole ? grid->vertex_count : grid->run_count;
-	expect(grid->run_count <= room->runs);
-	expect(grid->vertex_count <= (grid->whole ? room->copies : room->vertices));
+	size_t sum = 0, count = grid->whole ? grid->texel_count : grid->run_count;
+	expect(grid->run_count <= room->runs && grid->vertex_count <= room->vertices);
+	expect(!grid->whole || grid->texel_count <= room->copies);
 	expect(grid->tiles >= 32 && grid->tiles <= EDGE_GRID_TILES_MAX);
 	for (size_t t = 0; t < (size_t)grid->tiles * grid->tiles; t++) {
 		const struct edge_tile *tile = &grid->of[t];

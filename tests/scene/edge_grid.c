@@ -133,8 +133,6 @@ static size_t count_entries(const struct edge_grid *grid, float depth, float *de
 			struct edge_stretch stretch = edge_tile_stretch(grid, &grid->of[t], i);
 			for (uint32_t k = 0; k < stretch.edges; k++) {
 				const struct edge_vertex *edge = &stretch.vertices[k];
-				if (edge[1].start > 0.0f)
-					continue;
 				float nearest = fminf(edge[0].depth, edge[1].depth);
 				before += nearest <= depth;
 				*deepest = fmaxf(*deepest, nearest);
@@ -206,7 +204,7 @@ static void fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long(void **st
 }
 
 /* Short lists are whole if they fit, on fewer tiles if need be. */
-static void short_lists_have_their_own_vertices(void **state)
+static void short_lists_have_their_own_edges(void **state)
 {
 	(void)state;
 	struct world world;
@@ -215,7 +213,7 @@ static void short_lists_have_their_own_vertices(void **state)
 	world_find(&world, &options);
 	assert_true(world.grid.whole && world.grid.tiles == 128);
 	assert_grid(&world, "fence, whole lists");
-	options.room.copies = world.grid.vertex_count;
+	options.room.copies = world.grid.texel_count;
 	world_find(&world, &options);
 	assert_true(world.grid.whole && world.grid.tiles == 128);
 	options.room.copies--;
@@ -313,10 +311,9 @@ static void assert_near_tile(const struct edge_grid *grid, uint32_t t, float mar
 		for (uint32_t k = 0; k < stretch.edges; k++) {
 			const struct edge_vertex *edge = &stretch.vertices[k];
 			assert_true(
-				edge[1].start > 0.0f ||
-				(overlap(edge[0].x * tiles, edge[1].x * tiles, left, left + side) &&
-					overlap(edge[0].y * tiles, edge[1].y * tiles, bottom,
-						bottom + side)));
+				overlap(edge[0].x * tiles, edge[1].x * tiles, left, left + side) &&
+				overlap(edge[0].y * tiles, edge[1].y * tiles, bottom,
+					bottom + side));
 		}
 	}
 }
@@ -385,6 +382,9 @@ static void a_grid_serves_one_scene_after_the_other(void **state)
 		world.grid = grid;
 		world_find(&world, &usual);
 		world_find(&fresh, &usual);
+		assert_int_equal(world.grid.texel_count, fresh.grid.texel_count);
+		assert_memory_equal(world.grid.texels, fresh.grid.texels,
+			fresh.grid.texel_count * sizeof(*fresh.grid.texels));
 		assert_int_equal(world.grid.vertex_count, fresh.grid.vertex_count);
 		assert_memory_equal(world.grid.vertices, fresh.grid.vertices,
 			fresh.grid.vertex_count * sizeof(*fresh.grid.vertices));
@@ -409,7 +409,7 @@ int main(void)
 		cmocka_unit_test(whatever_the_mesh_winding_numbers_count_its_sheets),
 		cmocka_unit_test(a_light_inside_a_caster_sees_what_is_beyond_the_near_plane),
 		cmocka_unit_test(fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long),
-		cmocka_unit_test(short_lists_have_their_own_vertices),
+		cmocka_unit_test(short_lists_have_their_own_edges),
 		cmocka_unit_test(finer_edges_round_to_the_raster_grid),
 		cmocka_unit_test(without_casters_or_receivers_nothing_is_listed),
 		cmocka_unit_test(a_point_light_lists_edges_where_they_are),

@@ -74,6 +74,9 @@ static void assert_same_grid(const struct edge_grid *kept, const struct edge_gri
 	assert_memory_equal(kept->of, fresh->of, tiles * sizeof(*fresh->of));
 	assert_int_equal(kept->whole, fresh->whole);
 	assert_int_equal(kept->edge_count, fresh->edge_count);
+	assert_int_equal(kept->texel_count, fresh->texel_count);
+	assert_memory_equal(
+		kept->texels, fresh->texels, fresh->texel_count * sizeof(*fresh->texels));
 	assert_int_equal(kept->vertex_count, fresh->vertex_count);
 	assert_memory_equal(
 		kept->vertices, fresh->vertices, fresh->vertex_count * sizeof(*fresh->vertices));

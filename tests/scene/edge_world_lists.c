@@ -14,7 +14,6 @@ static void assert_box_holds(const struct edge_run *run, const struct edge_stret
 	assert_in_range(stretch->edges, 1, EDGE_RUN_MAX);
 	for (uint32_t i = 0; i <= stretch->edges; i++) {
 		const float at[2] = {stretch->vertices[i].x, stretch->vertices[i].y};
-		assert_true(stretch->vertices[i].start <= 0.0f);
 		for (int axis = 0; axis < 2; axis++) {
 			float steps = fminf(fmaxf(at[axis], 0.0f), 1.0f) * EDGE_BOX_STEPS;
 			assert_true(steps >= (float)run->min[axis] &&
@@ -23,21 +22,62 @@ static void assert_box_holds(const struct edge_run *run, const struct edge_stret
 	}
 }
 
-/* None of the vertices from start to start is nearer than that says, which is more each time. */
-static void assert_starts_hold(
+/* No vertex is nearer than the list says. */
+static void assert_start_holds(
 	const struct edge_stretch *stretch, float start, const char *what, uint32_t t)
 {
 	for (uint32_t i = 0; i <= stretch->edges; i++) {
 		const struct edge_vertex *at = &stretch->vertices[i];
 		assert_true(isfinite(at->x) && isfinite(at->y) && isfinite(at->depth));
-		if (at->start > 0.0f) {
-			if (at->start - 1.0f < start || i == stretch->edges || at[1].start > 0.0f)
-				fail_msg("%s: tile %u: chain at %u", what, t, i);
-			start = at->start - 1.0f;
-		}
 		if (!(at->depth >= start))
 			fail_msg("%s: tile %u: depth %g, start %g", what, t, (double)at->depth,
 				(double)start);
+	}
+}
+
+static struct edge_texel texel_of(const struct edge_vertex *edge)
+{
+	const struct chain_point points[2] = {
+		{(int32_t)(edge[0].x * SCREEN), (int32_t)(edge[0].y * SCREEN), edge[0].depth,
+			(uint32_t)edge[1].sheets},
+		{(int32_t)(edge[1].x * SCREEN), (int32_t)(edge[1].y * SCREEN), edge[1].depth, 0},
+	};
+	return edge_texel_of(points, SCREEN);
+}
+
+static bool same_texel(const struct edge_texel *a, const struct edge_texel *b)
+{
+	return memcmp(a, b, sizeof(*a)) == 0;
+}
+
+/* A whole list has the edges of the tile's runs, the nearest first. */
+static void assert_whole_list(const struct edge_grid *grid, const struct edge_tile *tile)
+{
+	const struct edge_texel *list = &grid->texels[tile->first];
+	uint32_t count = edge_tile_count(tile), edges = 0;
+	for (uint32_t k = 1; k < count; k++)
+		assert_true(edge_texel_nearest(&list[k - 1]) <= edge_texel_nearest(&list[k]));
+	for (uint32_t i = 0; i < edge_tile_stretches(grid, tile); i++) {
+		struct edge_stretch stretch = edge_tile_stretch(grid, tile, i);
+		for (uint32_t k = 0; k < stretch.edges; k++, edges++) {
+			struct edge_texel wanted = texel_of(&stretch.vertices[k]);
+			uint32_t place = 0;
+			while (place < count && !same_texel(&list[place], &wanted))
+				place++;
+			assert_true(place < count);
+		}
+	}
+	assert_int_equal(edges, count);
+}
+
+/* Runs are of the edges between their vertices. */
+static void assert_run_texels(const struct edge_grid *grid, const struct edge_run *run)
+{
+	uint32_t first = edge_run_first(run);
+	assert_true(first + edge_run_count(run) < grid->texel_count);
+	for (uint32_t k = 0; k < edge_run_count(run); k++) {
+		struct edge_texel wanted = texel_of(&grid->vertices[first + k]);
+		assert_true(same_texel(&grid->texels[first + k], &wanted));
 	}
 }
 
@@ -51,22 +91,23 @@ void assert_lists_are_in_order(const struct world *world, const char *what)
 		assert_int_equal(edge_tile_count(tile) == 0, nearest == 2.0f);
 		assert_true(edge_tile_count(tile) == 0 || tile->first == sum);
 		sum += edge_tile_count(tile);
-		assert_true(sum <= (grid->whole ? grid->vertex_count : grid->run_count));
+		assert_true(sum <= (grid->whole ? grid->texel_count : grid->run_count));
 		for (uint32_t i = 0; i < edge_tile_stretches(grid, tile); i++) {
 			struct edge_stretch stretch = edge_tile_stretch(grid, tile, i);
-			const struct edge_run *run = &grid->runs[tile->first + i];
+			const struct edge_run *run = &grid->runs[grid->lists.first[t] + i];
 			assert_true(stretch.vertices + stretch.edges <
 				    grid->vertices + grid->vertex_count);
-			if (!grid->whole) {
-				assert_true(run->start >= nearest);
-				nearest = run->start;
-				assert_box_holds(run, &stretch);
-			}
-			assert_starts_hold(&stretch, nearest, what, t);
+			assert_true(run->start >= nearest);
+			nearest = run->start;
+			assert_box_holds(run, &stretch);
+			assert_start_holds(&stretch, nearest, what, t);
+			if (!grid->whole)
+				assert_run_texels(grid, run);
 		}
+		if (grid->whole)
+			assert_whole_list(grid, tile);
 	}
-	assert_int_equal(sum, grid->whole ? grid->vertex_count : grid->run_count);
-	assert_true(!grid->whole || grid->run_count == 0);
+	assert_int_equal(sum, grid->whole ? grid->texel_count : grid->run_count);
 }
 
 static struct edge_vertex vertex_of(const struct chain_point *point)
@@ -89,8 +130,7 @@ static int times_listed(const struct edge_grid *grid, uint32_t t, const struct c
 		struct edge_stretch stretch = edge_tile_stretch(grid, &grid->of[t], i);
 		for (uint32_t k = 0; k < stretch.edges; k++) {
 			const struct edge_vertex *at = &stretch.vertices[k];
-			times += at[1].start <= 0.0f && same_place(&at[0], &a) &&
-				 same_place(&at[1], &b);
+			times += same_place(&at[0], &a) && same_place(&at[1], &b);
 		}
 	}
 	return times;
