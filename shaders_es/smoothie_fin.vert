@@ -1,18 +1,15 @@
-// A quad of a fin, of struct fin (src/geom/fin.h), as fin_expand() makes it: four vertices each, or on
-// both sides eight. It is fetched from a uniform block rather than as attributes of instances, which of
-// four vertices each take drivers longer.
-const int BLOCK_FINS = 672; // as in src/technique/fin_stream.c
-
+// A quad of a fin, of struct fin (src/geom/fin.h), as fin_expand() makes it: along the edge, then around
+// the corner, each outside, then inside if both_sides; one that is not there is all in a point. Fins are
+// fetched from a uniform block rather than as attributes of instances, which of so few vertices each take
+// drivers longer.
 layout(std140) uniform fins {
-	uvec4 fin_words[BLOCK_FINS / 2 * 3]; // two fins in three
+	uvec4 fin_words[BLOCK_FINS * 2];
 };
 uniform vec3 fin_law; // of struct fin_law: width_far, drawn_far, slope
 uniform int both_sides; // 1; else 0: outside alone
 
 out vec2 fin_offset; // from the silhouette, NDC
 out float fin_width; // of the fin here, likewise; below 0: inside
-
-const float NDC_LIMIT = 1024.0; // FIN_NDC_LIMIT
 
 // In widths as drawn, of the corners of a kite along the tangents, or of half the square around the
 // disc. Unit vectors up to a right angle apart have a sum of length 1.4 at least, others such a
@@ -27,35 +24,28 @@ vec2 corner_offset(int corner, vec2 from, vec2 to)
 	return (corner < 2 ? along : -along) + (corner == 1 || corner == 2 ? outer : vec2(0.0));
 }
 
+vec3 end_of(uvec4 words)
+{
+	return uintBitsToFloat(uvec3(words.xy, words.z & ~FIN_SIDE_BIT));
+}
+
 void main()
 {
 	int corner = gl_VertexID & 3, quad = gl_VertexID >> 2, index = quad >> both_sides;
-	float side = (quad & both_sides) == 0 ? 1.0 : -1.0;
-	int word = (index >> 1) * 3;
-	uvec4 middle = fin_words[word + 1];
-	uvec3 first, second;
-	if ((index & 1) == 0) {
-		uvec4 words = fin_words[word];
-		first = words.xyz;
-		second = uvec3(words.w, middle.xy);
-	} else {
-		uvec4 words = fin_words[word + 2];
-		first = uvec3(middle.zw, words.x);
-		second = words.yzw;
-	}
-	vec3 place = uintBitsToFloat(first), end = uintBitsToFloat(second);
-	vec2 offset;
-	if (abs(end.z) > 1.0) {
-		// FIN_OUTSIDE, FIN_INSIDE, FIN_BOTH
-		offset = end.z == side * 2.0 || end.z == 3.0 ? corner_offset(corner, unpackSnorm2x16(second.x),
-			unpackSnorm2x16(second.y)) : vec2(0.0);
-	} else {
-		vec2 along = normalize(end.xy - place.xy); // no fin has ends that coincide
+	bool inside = (quad & both_sides) != 0, around = (index & 1) != 0;
+	uvec4 first = fin_words[index & ~1], second = fin_words[index | 1];
+	vec3 place = end_of(first), end = end_of(second);
+	vec2 offset = vec2(0.0);
+	if (around) {
+		if (((inside ? second.z : first.z) & FIN_SIDE_BIT) != 0u)
+			offset = corner_offset(corner, unpackSnorm2x16(first.w), unpackSnorm2x16(second.w));
+	} else if (place.xy != end.xy) {
+		vec2 along = normalize(end.xy - place.xy);
 		offset = corner < 2 ? vec2(0.0) : vec2(along.y, -along.x);
 		place = corner == 1 || corner == 2 ? end : place;
 	}
-	float shade = fin_law.z * (1.0 - place.z);
-	fin_offset = side * min(fin_law.y + shade, NDC_LIMIT) * offset;
-	fin_width = side * min(fin_law.x + shade, NDC_LIMIT);
+	float side = inside ? -1.0 : 1.0, shade = fin_law.z * (1.0 - place.z);
+	fin_offset = side * min(fin_law.y + shade, FIN_NDC_LIMIT) * offset;
+	fin_width = side * min(fin_law.x + shade, FIN_NDC_LIMIT);
 	gl_Position = vec4(place.xy + fin_offset, place.z, 1.0);
 }

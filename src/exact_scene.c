@@ -110,6 +110,19 @@ static bool add_all_blockers(
 	return true;
 }
 
+static bool add_fin(struct exact_scene *exact, const struct fixed_screen *screen,
+	const struct fin_vertex quad[4])
+{
+	struct fixed_fin_corner corners[4];
+	for (size_t i = 0; i < 4; i++)
+		corners[i] = (struct fixed_fin_corner){
+			.position = {quad[i].position[0], quad[i].position[1], quad[i].position[2]},
+			.offset = {quad[i].offset[0], quad[i].offset[1]},
+			.width = quad[i].width,
+		};
+	return fixed_add_fin(&exact->fixed.fins, screen, corners);
+}
+
 static bool add_fins(
 	struct exact_scene *exact, const struct sm_scene *scene, const struct exact_view *view)
 {
@@ -117,19 +130,12 @@ static bool add_fins(
 	const struct fin_shape shape = {.width = view->fin_width, .share = SMOOTHIE_WIDTH_SHARE};
 	if (!fin_set_find(&exact->fins, scene, view->frame, &shape, view->map_size, false))
 		return false;
-	struct fin_vertex quad[FIN_VERTICES_MAX];
+	struct fin_vertex vertices[FIN_VERTICES_MAX];
 	for (size_t fin = 0; fin < exact->fins.count; fin++) {
-		struct fixed_fin_corner corners[4];
-		fin_set_expand(&exact->fins, fin, quad);
-		for (size_t i = 0; i < 4; i++)
-			corners[i] = (struct fixed_fin_corner){
-				.position = {quad[i].position[0], quad[i].position[1],
-					quad[i].position[2]},
-				.offset = {quad[i].offset[0], quad[i].offset[1]},
-				.width = quad[i].width,
-			};
-		if (!fixed_add_fin(&exact->fixed.fins, &screen, corners))
-			return false;
+		size_t count = fin_set_expand(&exact->fins, fin, vertices);
+		for (const struct fin_vertex *quad = vertices; quad < vertices + count; quad += 4)
+			if (!add_fin(exact, &screen, quad))
+				return false;
 	}
 	return true;
 }

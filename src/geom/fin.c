@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/fin.h"
 #include <math.h>
+#include <string.h>
 
 /*
  * Along a silhouette edge p0 -> p1 with outward normal n and widths w0, w1 lies the quad p0, p1,
@@ -84,21 +85,49 @@ static void unpack(uint32_t packed, float v[2])
 	v[1] = (float)(int16_t)(packed >> 16) * (1.0f / 32767.0f);
 }
 
-struct fin fin_around(const float position[3], const float from[2], const float to[2], float side)
+static uint32_t bits_of(float value)
+{
+	uint32_t bits;
+	memcpy(&bits, &value, sizeof(bits));
+	return bits;
+}
+
+static float float_of(uint32_t bits)
+{
+	float value;
+	memcpy(&value, &bits, sizeof(value));
+	return value;
+}
+
+struct fin fin_along(const float start[3], const float end[3])
 {
 	return (struct fin){
-		.start = {position[0], position[1], position[2]},
-		.normals = {pack_turned(from, OVERLAP), pack_turned(to, -OVERLAP)},
-		.side = side,
+		.start = {start[0], start[1]},
+		.start_z = bits_of(start[2]),
+		.end = {end[0], end[1]},
+		.end_z = bits_of(end[2]),
 	};
+}
+
+void fin_add_corner(struct fin *fin, const float from[2], const float to[2], enum fin_side side)
+{
+	fin->from = pack_turned(from, OVERLAP);
+	fin->to = pack_turned(to, -OVERLAP);
+	fin->start_z |= side & FIN_OUTSIDE ? FIN_SIDE_BIT : 0;
+	fin->end_z |= side & FIN_INSIDE ? FIN_SIDE_BIT : 0;
+}
+
+bool fin_has_edge(const struct fin *fin)
+{
+	return fin->start[0] != fin->end[0] || fin->start[1] != fin->end[1];
 }
 
 /* In widths as drawn, from the position, outside. */
 static void corner_offsets(const struct fin *fin, float offsets[4][2])
 {
 	float from[2], to[2];
-	unpack(fin->normals[0], from);
-	unpack(fin->normals[1], to);
+	unpack(fin->from, from);
+	unpack(fin->to, to);
 	float x = from[0] + to[0], y = from[1] + to[1];
 	if (from[0] * to[0] + from[1] * to[1] >= 0.0f) {
 		/* A kite along the tangents; up to a right angle, the divisor is about 2 at least.
@@ -142,29 +171,44 @@ static void write_quad(const struct fin_law *law, const float *const positions[4
 
 /* The same on each side that it is on. */
 static size_t write_sides(const struct fin_law *law, const float *const positions[4],
-	const float offsets[4][2], float side, struct fin_vertex out[FIN_VERTICES_MAX])
+	const float offsets[4][2], unsigned int sides, struct fin_vertex *out)
 {
-	write_quad(law, positions, offsets, side == FIN_INSIDE ? -1.0f : 1.0f, out);
-	if (side != FIN_BOTH)
-		return 4;
-	write_quad(law, positions, offsets, -1.0f, out + 4);
-	return 8;
+	size_t count = 0;
+	if (sides & FIN_OUTSIDE) {
+		write_quad(law, positions, offsets, 1.0f, out);
+		count += 4;
+	}
+	if (sides & FIN_INSIDE) {
+		write_quad(law, positions, offsets, -1.0f, out + count);
+		count += 4;
+	}
+	return count;
+}
+
+static unsigned int corner_sides(const struct fin *fin)
+{
+	return (fin->start_z & FIN_SIDE_BIT ? FIN_OUTSIDE : 0) |
+	       (fin->end_z & FIN_SIDE_BIT ? FIN_INSIDE : 0);
 }
 
 size_t fin_expand(const struct fin *fin, const struct fin_law *law, bool both_sides,
 	struct fin_vertex out[FIN_VERTICES_MAX])
 {
-	const float *a = fin->start, *b = fin->end;
-	float offsets[4][2] = {{0}};
-	if (fabsf(fin->side) > 1.0f) {
-		corner_offsets(fin, offsets);
-		return write_sides(law, (const float *const[]){a, a, a, a},
-			(const float(*)[2])offsets, fin->side, out);
+	const float a[3] = {fin->start[0], fin->start[1], float_of(fin->start_z & ~FIN_SIDE_BIT)};
+	const float b[3] = {fin->end[0], fin->end[1], float_of(fin->end_z & ~FIN_SIDE_BIT)};
+	size_t count = 0;
+	if (fin_has_edge(fin)) {
+		float dx = b[0] - a[0], dy = b[1] - a[1], length = sqrtf(dx * dx + dy * dy);
+		float x = dy / length, y = -dx / length;
+		count = write_sides(law, (const float *const[]){a, b, b, a},
+			(const float[4][2]){{0}, {0}, {x, y}, {x, y}},
+			both_sides ? FIN_BOTH : FIN_OUTSIDE, out);
 	}
-	/* Above 0: no fin along an edge has ends that coincide. */
-	float dx = b[0] - a[0], dy = b[1] - a[1], length = sqrtf(dx * dx + dy * dy);
-	offsets[2][0] = offsets[3][0] = dy / length;
-	offsets[2][1] = offsets[3][1] = -dx / length;
-	return write_sides(law, (const float *const[]){a, b, b, a}, (const float(*)[2])offsets,
-		both_sides ? FIN_BOTH : FIN_OUTSIDE, out);
+	unsigned int sides = corner_sides(fin);
+	if (sides == 0)
+		return count;
+	float offsets[4][2];
+	corner_offsets(fin, offsets);
+	return count + write_sides(law, (const float *const[]){a, a, a, a},
+			       (const float(*)[2])offsets, sides, out + count);
 }

@@ -36,31 +36,35 @@ void fin_law_add_apron(struct fin_law *law, float apron);
 
 float fin_law_drawn(const struct fin_law *law, float z);
 
-/** The sides of the silhouette that a fin around a corner is on. Beyond any z, so that they tell
- * such a fin from one along an edge, in whose end[2] they are. */
-#define FIN_OUTSIDE 2.0f
-#define FIN_INSIDE -2.0f
-#define FIN_BOTH 3.0f
+/** The sides of the silhouette that the fin around a corner is on. */
+enum fin_side { FIN_OUTSIDE = 1, FIN_INSIDE = 2, FIN_BOTH = 3 };
+
+/** What no float in [-1, 1] has set: in the z of a fin's ends it tells a corner's sides. */
+#define FIN_SIDE_BIT 0x40000000u
 
 /**
- * A quad of a fin, or with both sides two, as uploaded: smoothie_fin.vert draws it as fin_expand()
- * does. Positions are NDC, w = 1; x and y may lie beyond the screen, z is in [-1, 1].
+ * A fin along a silhouette edge, and one around the corner at its start, as uploaded: two groups of
+ * four words, of which smoothie_fin.vert makes what fin_expand() does. Ends are NDC, w = 1; x and y
+ * may lie beyond the screen, z is in [-1, 1]. Outside is on the right of start -> end; where both
+ * are at the same place, there is a corner alone.
  */
 struct fin {
-	float start[3];
-	union {
-		float end[3]; /* along an edge; outside is on the right of start -> end */
-		struct {      /* around a corner at start */
-			uint32_t normals[2]; /* unit, x and y in 16 bits: as unpackSnorm2x16() takes
-						them. Halfway between is on the right of the way
-						from the first to the second. */
-			float side;          /* one of the above */
-		};
-	};
+	float start[2];
+	uint32_t start_z; /* of a float; FIN_SIDE_BIT: there is a corner, outside */
+	uint32_t from;    /* unit normal, x and y in 16 bits: as unpackSnorm2x16() takes them */
+	float end[2];
+	uint32_t end_z; /* likewise; FIN_SIDE_BIT: there is a corner, inside */
+	uint32_t to;
 };
 
-/** The sector between two unit normals, up to half a disc. */
-struct fin fin_around(const float position[3], const float from[2], const float to[2], float side);
+/** Without a corner. */
+struct fin fin_along(const float start[3], const float end[3]);
+
+/** Adds the sector between two unit normals, up to half a disc, to a fin without a corner. Halfway
+ *  between is on the right of the way from the first to the second, outside. */
+void fin_add_corner(struct fin *fin, const float from[2], const float to[2], enum fin_side side);
+
+bool fin_has_edge(const struct fin *fin);
 
 /** alpha of a fragment = length(offset) / |width|, both interpolated. */
 struct fin_vertex {
@@ -70,10 +74,11 @@ struct fin_vertex {
 			    the apron */
 };
 
-#define FIN_VERTICES_MAX 8
+#define FIN_VERTICES_MAX 16
 
-/** Quads of four vertices in order around, of either orientation. Returns the number of vertices.
- *  both_sides: a fin along an edge is on both. */
+/** Quads of four vertices in order around, of either orientation: along the edge, then around the
+ *  corner, each outside first. Returns the number of vertices. both_sides: a fin along an edge is
+ * on both. */
 size_t fin_expand(const struct fin *fin, const struct fin_law *law, bool both_sides,
 	struct fin_vertex out[FIN_VERTICES_MAX]);
 

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #define NO_END UINT32_MAX
+#define NO_FIN UINT32_MAX
 
 #define NDC_LIMIT ((double)FIN_NDC_LIMIT)
 
@@ -24,6 +25,7 @@ struct fin_edge {
 	float direction[2]; /* unit, from end 0 to end 1 */
 	float outward[2];   /* unit */
 	uint32_t next[2];   /* further edge end at the same vertex, or NO_END */
+	uint32_t fin;       /* that is without a corner, or NO_FIN */
 };
 
 /* End i of edge e is numbered 2 e + i. */
@@ -46,28 +48,38 @@ static void write(struct fin_writer *writer, const struct fin *fin)
 	writer->count++;
 }
 
-static void write_edge(struct fin_writer *writer, const struct fin_edge *edge)
+static void write_edge(struct fin_writer *writer, struct fin_edge *edge)
 {
 	bool mirrored = writer->params->mirrored;
 	const struct fin_end *a = &edge->ends[mirrored], *b = &edge->ends[!mirrored];
-	if (fmaxf(a->drawn, b->drawn) > writer->params->finest)
-		write(writer, &(struct fin){
-				      .start = {a->position[0], a->position[1], a->position[2]},
-				      .end = {b->position[0], b->position[1], b->position[2]},
-			      });
-	else
+	edge->fin = NO_FIN;
+	if (fmaxf(a->drawn, b->drawn) > writer->params->finest) {
+		struct fin fin = fin_along(a->position, b->position);
+		edge->fin = (uint32_t)writer->count;
+		write(writer, &fin);
+	} else {
 		writer->left_out_count++;
+	}
 }
 
 /* The sector between two unit normals; halfway between is on the right of the way from the first to
- * the second, if outside. */
-static void write_corner(struct fin_writer *writer, const struct fin_end *end, const float from[2],
-	const float to[2], float side)
+ * the second, if outside. It goes with the fin that starts there, if its edge has one, and else is
+ * one of its own. */
+static void write_corner(struct fin_writer *writer, struct fin_edge *edge, int end,
+	const float from[2], const float to[2], enum fin_side side)
 {
 	float x = from[0] - to[0], y = from[1] - to[1], finest = writer->params->finest;
-	if (!(end->drawn * sqrtf(x * x + y * y) > finest))
+	const struct fin_end *at = &edge->ends[end];
+	if (!(at->drawn * sqrtf(x * x + y * y) > finest))
 		return;
-	struct fin fin = fin_around(end->position, from, to, side);
+	if (end == writer->params->mirrored && edge->fin != NO_FIN) {
+		if (edge->fin < writer->capacity)
+			fin_add_corner(&writer->out[edge->fin], from, to, side);
+		edge->fin = NO_FIN;
+		return;
+	}
+	struct fin fin = fin_along(at->position, at->position);
+	fin_add_corner(&fin, from, to, side);
 	write(writer, &fin);
 }
 
@@ -84,17 +96,17 @@ static bool normalise(float v[2], float shortest)
 
 /* Where one edge ends and one starts: a gap opens outside where the blocker, which is on their
  * left, turns left, and inside where it turns right; at a full turn back on either side. */
-static void write_simple_corner(struct fin_writer *writer, const struct fin_edge *in,
-	const struct fin_edge *out, float side)
+static void write_simple_corner(
+	struct fin_writer *writer, struct fin_edge *in, struct fin_edge *out, enum fin_side side)
 {
 	const float *d0 = in->direction, *d1 = out->direction;
 	float turn = d0[0] * d1[1] - d0[1] * d1[0];
 	float along = d0[0] * d1[0] + d0[1] * d1[1];
-	bool turned = writer->params->mirrored != (side == FIN_INSIDE);
+	bool mirrored = writer->params->mirrored, turned = mirrored != (side == FIN_INSIDE);
 	turn = turned ? -turn : turn;
 	if (turn < 0.0f || (turn == 0.0f && along >= 0.0f))
 		return;
-	write_corner(writer, &in->ends[1], turned ? out->outward : in->outward,
+	write_corner(writer, mirrored ? in : out, mirrored, turned ? out->outward : in->outward,
 		turned ? in->outward : out->outward, side);
 }
 
@@ -115,10 +127,10 @@ static void write_shared_corner(
 	if (!normalise(mean, count * FLT_EPSILON))
 		return;
 	for (uint32_t end = first; end != NO_END; end = edge_of(scratch, end)->next[end % 2]) {
-		const struct fin_edge *edge = edge_of(scratch, end);
+		struct fin_edge *edge = edge_of(scratch, end);
 		const float *n = edge->outward;
 		bool left = mean[0] * n[1] - mean[1] * n[0] >= 0.0f;
-		write_corner(writer, &edge->ends[end % 2], left ? mean : n, left ? n : mean,
+		write_corner(writer, edge, end % 2, left ? mean : n, left ? n : mean,
 			writer->params->both_sides ? FIN_BOTH : FIN_OUTSIDE);
 	}
 }
@@ -126,17 +138,17 @@ static void write_shared_corner(
 static void write_corners_at(
 	struct fin_writer *writer, const struct fin_scratch *scratch, uint32_t first)
 {
-	const struct fin_edge *edge = edge_of(scratch, first);
+	struct fin_edge *edge = edge_of(scratch, first);
 	uint32_t second = edge->next[first % 2];
 	if (second == NO_END)
 		return;
-	const struct fin_edge *other = edge_of(scratch, second);
+	struct fin_edge *other = edge_of(scratch, second);
 	if (other->next[second % 2] != NO_END || first % 2 == second % 2) {
 		write_shared_corner(writer, scratch, first);
 		return;
 	}
-	const struct fin_edge *in = first % 2 == 1 ? edge : other;
-	const struct fin_edge *out = first % 2 == 1 ? other : edge;
+	struct fin_edge *in = first % 2 == 1 ? edge : other;
+	struct fin_edge *out = first % 2 == 1 ? other : edge;
 	write_simple_corner(writer, in, out, FIN_OUTSIDE);
 	if (writer->params->both_sides)
 		write_simple_corner(writer, in, out, FIN_INSIDE);
@@ -288,9 +300,9 @@ bool fin_scratch_reserve(
 
 size_t fins_max(size_t edge_count)
 {
-	/* One an edge and one an end: a simple corner has two ends, if two sides. Saturates, so
-	 * that allocating as much fails. */
-	return edge_count <= SIZE_MAX / 3 ? 3 * edge_count : SIZE_MAX;
+	/* One an edge, or a corner at its start without it; and a corner at its other end: a simple
+	 * one has two ends, if two sides. Saturates, so that allocating as much fails. */
+	return edge_count <= SIZE_MAX / 2 ? 2 * edge_count : SIZE_MAX;
 }
 
 size_t fins_build(const struct caster *caster, const struct silhouette_edge *edges,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/shader_source.h"
+#include "geom/fin.h"
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>
@@ -79,9 +80,15 @@ struct part {
 	uint64_t flags, without;
 };
 
+/* What smoothie_fin.vert shares with C. */
+#define VALUE_TEXT(value) #value
+#define DEFINE(name) "#define " #name " " VALUE_TEXT(name) "\n"
+#define FIN_DEFINES DEFINE(BLOCK_FINS) DEFINE(FIN_NDC_LIMIT) DEFINE(FIN_SIDE_BIT)
+
 static const struct {
 	const char *name;
-	uint64_t flags; /* that mean something */
+	uint64_t flags;      /* that mean something */
+	const char *defines; /* in all variants; may be NULL */
 	struct part parts[2][26];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
@@ -116,6 +123,7 @@ static const struct {
 			.name = "fin",
 			.flags = FLAG_SINUSOID | FLAG_DEPTH_ONLY | FLAG_RECEIVER_MAP | FLAG_CONE |
 				 FLAG_ALPHA_DEPTH | FLAG_FETCH | PLAIN_FLAGS,
+			.defines = FIN_DEFINES,
 			.parts =
 				{
 					{{"smoothie_fin.vert"}},
@@ -138,6 +146,7 @@ static const struct {
 		{
 			.name = "two-sided-fin",
 			.flags = FLAG_RECEIVER_MAP | PLAIN_FLAGS,
+			.defines = FIN_DEFINES,
 			.parts =
 				{
 					{{"smoothie_fin.vert"}},
@@ -397,6 +406,8 @@ size_t shader_parts(
 	for (size_t i = 0; i < FLAG_COUNT; i++)
 		if (key.flags & flag_names[i].flag)
 			parts[count++] = flag_names[i].define;
+	if (programs[key.kind].defines != NULL)
+		parts[count++] = programs[key.kind].defines;
 	const struct part *part = programs[key.kind].parts[stage];
 	for (; part->file != NULL; part++)
 		if ((part->flags == 0 || key.flags & part->flags) && !(key.flags & part->without))

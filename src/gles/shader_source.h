@@ -93,6 +93,10 @@ bool program_key_is_valid(struct program_key key);
 /** The flags that mean something to a kind of program. */
 uint64_t program_kind_flags(enum program_kind kind);
 
+/** Fins of one draw: as many as the least size that a uniform block may have, 16 KiB, holds (OpenGL
+ *  ES 3.0, table 6.32). */
+#define BLOCK_FINS 512
+
 #define SHADER_PARTS_MAX 32
 
 /** The strings that make up one stage, in order, as glShaderSource() takes them; none is owned.

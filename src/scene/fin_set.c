@@ -126,16 +126,18 @@ static void mark_fins(const struct fin_set *set, struct fin_part *part, uint32_t
 	struct fin_vertex v[FIN_VERTICES_MAX];
 	for (size_t i = part->first; i < part->first + part->count; i++) {
 		size_t count = fin_set_expand(set, i, v);
-		if (count == 8 && set->fins[i].side < FIN_BOTH) {
+		size_t first = 0;
+		if (set->both_sides && fin_has_edge(&set->fins[i])) {
 			/* Along an edge, both sides are one quad about it. */
 			mark_hull(part, (const struct fin_vertex *[]){&v[3], &v[2], &v[6], &v[7]},
 				slack);
-			continue;
+			first = 8;
 		}
-		for (const struct fin_vertex *quad = v; quad < v + count; quad += 4)
+		for (const struct fin_vertex *quad = v + first; quad < v + count; quad += 4)
 			mark_hull(part,
 				(const struct fin_vertex *[]){quad, quad + 1, quad + 2, quad + 3},
 				slack);
+		part->quads += count / 4;
 	}
 }
 
@@ -240,6 +242,14 @@ size_t fin_set_expand(
 	const struct fin_set *set, size_t index, struct fin_vertex out[FIN_VERTICES_MAX])
 {
 	return fin_expand(&set->fins[index], &set->law, set->both_sides, out);
+}
+
+size_t fin_set_quads(const struct fin_set *set, size_t first_part, size_t part_count)
+{
+	size_t quads = 0;
+	for (size_t i = first_part; i < first_part + part_count; i++)
+		quads += set->parts[i].quads;
+	return quads;
 }
 
 void fin_set_clear(struct fin_set *set)

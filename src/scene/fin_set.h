@@ -32,6 +32,7 @@ float fin_shape_reach(
 /** The fins of one object. */
 struct fin_part {
 	size_t first, count; /* of fins */
+	size_t quads;        /* that they are drawn as */
 	size_t edge_count;
 	bool casts, missing, fresh; /* fresh: not those of the search before */
 	struct screen_box box;      /* around them */
@@ -86,6 +87,9 @@ float fin_slack(int cells, uint32_t map_size);
 /** The quads of a fin, as fin_expand() has them. */
 size_t fin_set_expand(
 	const struct fin_set *set, size_t index, struct fin_vertex out[FIN_VERTICES_MAX]);
+
+/** How many those of so many parts are. */
+size_t fin_set_quads(const struct fin_set *set, size_t first_part, size_t part_count);
 
 /** Has the next search keep nothing. */
 void fin_set_clear(struct fin_set *set);

@@ -6,12 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Fins of one draw, as in smoothie_fin.vert: the most that are a whole number of the offsets which
- * uniform buffers may be bound at, 256 bytes at most, in the least size that a block may have, 16
- * KiB (OpenGL ES 3.0, table 6.32). */
-#define BLOCK_FINS 672
-
-_Static_assert(sizeof(struct fin) == 24, "three vectors of four are two fins");
+_Static_assert(sizeof(struct fin) == 32, "two vectors of four, as in smoothie_fin.vert");
+/* Which uniform buffers may be bound at: multiples of 256 bytes at most. */
 _Static_assert(BLOCK_FINS * sizeof(struct fin) % 256 == 0, "no block starts amid an offset");
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu)
@@ -213,9 +209,10 @@ static size_t find_run(
 	return last;
 }
 
-static size_t sides_of(const struct fin_stream *stream)
+/* Along the edge and around the corner, on one side or both. */
+static size_t quads_of(const struct fin_stream *stream)
 {
-	return stream->set.both_sides ? 2 : 1;
+	return stream->set.both_sides ? 4 : 2;
 }
 
 static size_t whole_blocks(size_t count)
@@ -242,9 +239,9 @@ void fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct 
 		gl->BufferSubData(GL_UNIFORM_BUFFER, (GLintptr)(used * size),
 			(GLsizeiptr)(count * size), set->fins + start);
 		used += count;
+		gpu->stats.fin_vertices += 4 * fin_set_quads(set, first, last + 1 - first);
 	}
 	stream->uploaded = used;
-	gpu->stats.fin_vertices += 4 * sides_of(stream) * used;
 	gpu->stats.fin_bytes += used * size;
 	gpu->stats.uploaded_bytes += used * size;
 }
@@ -279,7 +276,7 @@ bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, const struct pr
 	for (size_t first = 0; first < stream->uploaded; first += BLOCK_FINS) {
 		size_t rest = stream->uploaded - first;
 		size_t count = rest < BLOCK_FINS ? rest : BLOCK_FINS;
-		if (!draw_block(stream, gpu, first, sides_of(stream) * count, error))
+		if (!draw_block(stream, gpu, first, quads_of(stream) * count, error))
 			return false;
 	}
 	return true;
