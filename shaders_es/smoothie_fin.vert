@@ -1,10 +1,9 @@
-// A quad of a fin, of struct fin (src/geom/fin.h), as fin_expand() makes it: along the edge, then around
-// the corner, each outside, then inside if both_sides; one that is not there is all in a point. Fins are
-// fetched from a uniform block rather than as attributes of instances, which of so few vertices each take
-// drivers longer.
+// A quad of a fin, of struct fin (src/geom/fin.h), as fin_expand() makes it. Fins are fetched from a
+// uniform block rather than as attributes of instances, which of so few vertices each take drivers longer.
 layout(std140) uniform fins {
 	uvec4 fin_words[BLOCK_FINS * 2];
 };
+uniform int fin_quads; // of each of them
 uniform vec3 fin_law; // of struct fin_law: width_far, drawn_far, slope
 uniform int both_sides; // 1; else 0: outside alone
 
@@ -31,18 +30,20 @@ vec3 end_of(uvec4 words)
 
 void main()
 {
-	int corner = gl_VertexID & 3, quad = gl_VertexID >> 2, index = quad >> both_sides;
-	bool inside = (quad & both_sides) != 0, around = (index & 1) != 0;
-	uvec4 first = fin_words[index & ~1], second = fin_words[index | 1];
+	int corner = gl_VertexID & 3, quad = gl_VertexID >> 2;
+	int index = int((float(quad) + 0.5) / float(fin_quads)), rest = quad - index * fin_quads;
+	uvec4 first = fin_words[2 * index], second = fin_words[2 * index + 1];
 	vec3 place = end_of(first), end = end_of(second);
-	vec2 offset = vec2(0.0);
-	if (around) {
-		if (((inside ? second.z : first.z) & FIN_SIDE_BIT) != 0u)
-			offset = corner_offset(corner, unpackSnorm2x16(first.w), unpackSnorm2x16(second.w));
-	} else if (place.xy != end.xy) {
+	bool outer = (first.z & FIN_SIDE_BIT) != 0u, inner = (second.z & FIN_SIDE_BIT) != 0u;
+	int around = place.xy != end.xy ? rest - 1 - both_sides : rest; // below 0: along the edge
+	bool inside = around < 0 ? rest == 1 : inner && (!outer || around == 1);
+	vec2 offset;
+	if (around < 0) {
 		vec2 along = normalize(end.xy - place.xy);
 		offset = corner < 2 ? vec2(0.0) : vec2(along.y, -along.x);
 		place = corner == 1 || corner == 2 ? end : place;
+	} else {
+		offset = corner_offset(corner, unpackSnorm2x16(first.w), unpackSnorm2x16(second.w));
 	}
 	float side = inside ? -1.0 : 1.0, shade = fin_law.z * (1.0 - place.z);
 	fin_offset = side * min(fin_law.y + shade, FIN_NDC_LIMIT) * offset;

@@ -233,9 +233,8 @@ static bool find(struct exact *exact, struct gpu *gpu, const struct sm_scene *sc
 	if (!exact_scene_find(&exact->scene, scene, &needed))
 		return error_no_memory(error);
 	gpu->stats.silhouette_ms += processor_ms() - start;
-	const struct fin_set *fins = &exact->scene.fins;
-	gpu->stats.silhouette_edges += fins->edge_count;
-	gpu->stats.fin_vertices += 4 * fin_set_quads(fins, 0, fins->part_count);
+	gpu->stats.silhouette_edges += exact->scene.fins.edge_count;
+	gpu->stats.fin_vertices += 4 * fin_set_quads(&exact->scene.fins);
 	return true;
 }
 

@@ -122,6 +122,12 @@ bool fin_has_edge(const struct fin *fin)
 	return fin->start[0] != fin->end[0] || fin->start[1] != fin->end[1];
 }
 
+size_t fin_quads(const struct fin *fin, bool both_sides)
+{
+	size_t edge = fin_has_edge(fin) ? both_sides + 1 : 0;
+	return edge + ((fin->start_z & FIN_SIDE_BIT) != 0) + ((fin->end_z & FIN_SIDE_BIT) != 0);
+}
+
 /* In widths as drawn, from the position, outside. */
 static void corner_offsets(const struct fin *fin, float offsets[4][2])
 {

@@ -66,6 +66,11 @@ void fin_add_corner(struct fin *fin, const float from[2], const float to[2], enu
 
 bool fin_has_edge(const struct fin *fin);
 
+#define FIN_QUADS_MAX 4
+
+/** How many it is drawn as, at least one. both_sides: a fin along an edge is on both. */
+size_t fin_quads(const struct fin *fin, bool both_sides);
+
 /** alpha of a fragment = length(offset) / |width|, both interpolated. */
 struct fin_vertex {
 	float position[3];
@@ -74,11 +79,10 @@ struct fin_vertex {
 			    the apron */
 };
 
-#define FIN_VERTICES_MAX 16
+#define FIN_VERTICES_MAX (4 * FIN_QUADS_MAX)
 
-/** Quads of four vertices in order around, of either orientation: along the edge, then around the
- *  corner, each outside first. Returns the number of vertices. both_sides: a fin along an edge is
- * on both. */
+/** fin_quads() of four vertices in order around, of either orientation: along the edge, then around
+ *  the corner, each outside first. Returns the number of vertices. */
 size_t fin_expand(const struct fin *fin, const struct fin_law *law, bool both_sides,
 	struct fin_vertex out[FIN_VERTICES_MAX]);
 

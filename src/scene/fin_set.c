@@ -127,6 +127,7 @@ static void mark_fins(const struct fin_set *set, struct fin_part *part, uint32_t
 	for (size_t i = part->first; i < part->first + part->count; i++) {
 		size_t count = fin_set_expand(set, i, v);
 		size_t first = 0;
+		part->groups[count / 4 - 1]++;
 		if (set->both_sides && fin_has_edge(&set->fins[i])) {
 			/* Along an edge, both sides are one quad about it. */
 			mark_hull(part, (const struct fin_vertex *[]){&v[3], &v[2], &v[6], &v[7]},
@@ -137,7 +138,6 @@ static void mark_fins(const struct fin_set *set, struct fin_part *part, uint32_t
 			mark_hull(part,
 				(const struct fin_vertex *[]){quad, quad + 1, quad + 2, quad + 3},
 				slack);
-		part->quads += count / 4;
 	}
 }
 
@@ -244,11 +244,12 @@ size_t fin_set_expand(
 	return fin_expand(&set->fins[index], &set->law, set->both_sides, out);
 }
 
-size_t fin_set_quads(const struct fin_set *set, size_t first_part, size_t part_count)
+size_t fin_set_quads(const struct fin_set *set)
 {
 	size_t quads = 0;
-	for (size_t i = first_part; i < first_part + part_count; i++)
-		quads += set->parts[i].quads;
+	for (size_t i = 0; i < set->part_count; i++)
+		for (size_t n = 1; n <= FIN_QUADS_MAX; n++)
+			quads += n * set->parts[i].groups[n - 1];
 	return quads;
 }
 

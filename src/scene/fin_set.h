@@ -31,8 +31,8 @@ float fin_shape_reach(
 
 /** The fins of one object. */
 struct fin_part {
-	size_t first, count; /* of fins */
-	size_t quads;        /* that they are drawn as */
+	size_t first, count;          /* of fins */
+	size_t groups[FIN_QUADS_MAX]; /* of these, those of 1, 2 ... quads */
 	size_t edge_count;
 	bool casts, missing, fresh; /* fresh: not those of the search before */
 	struct screen_box box;      /* around them */
@@ -88,8 +88,8 @@ float fin_slack(int cells, uint32_t map_size);
 size_t fin_set_expand(
 	const struct fin_set *set, size_t index, struct fin_vertex out[FIN_VERTICES_MAX]);
 
-/** How many those of so many parts are. */
-size_t fin_set_quads(const struct fin_set *set, size_t first_part, size_t part_count);
+/** How many those of all fins are. */
+size_t fin_set_quads(const struct fin_set *set);
 
 /** Has the next search keep nothing. */
 void fin_set_clear(struct fin_set *set);

@@ -1,14 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/fin_stream.h"
+#include "base/array.h"
 #include "base/error.h"
 #include "base/processor_time.h"
 #include "technique/disc.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 _Static_assert(sizeof(struct fin) == 32, "two vectors of four, as in smoothie_fin.vert");
-/* Which uniform buffers may be bound at: multiples of 256 bytes at most. */
-_Static_assert(BLOCK_FINS * sizeof(struct fin) % 256 == 0, "no block starts amid an offset");
+
+/* Uniform buffers may be bound at multiples of 256 bytes, whatever the driver. */
+#define ALIGNED_FINS (256 / sizeof(struct fin))
+_Static_assert(BLOCK_FINS % ALIGNED_FINS == 0, "no block starts amid an offset");
 
 void fin_stream_init(struct fin_stream *stream, struct gpu *gpu)
 {
@@ -22,7 +26,9 @@ void fin_stream_finish(struct fin_stream *stream, struct gpu *gpu)
 	upload_ring_finish(&stream->ring, &gpu->gl);
 	fin_set_finish(&stream->set);
 	object_watch_finish(&stream->receivers);
+	free(stream->sorted);
 	free(stream->depths);
+	stream->sorted = NULL;
 	stream->depths = NULL;
 }
 
@@ -30,6 +36,8 @@ void fin_stream_list_memory(const struct fin_stream *stream, const struct memory
 {
 	fin_set_list_memory(&stream->set, list);
 	object_watch_list_memory(&stream->receivers, list);
+	memory_list_processor(
+		list, "fins: sorted", stream->sorted_capacity * sizeof(*stream->sorted));
 	memory_list_processor(
 		list, "fins: depths", stream->depths != NULL ? sizeof(*stream->depths) : 0);
 }
@@ -197,22 +205,39 @@ bool fin_stream_prepare(struct fin_stream *stream, struct gpu *gpu, const struct
 	return done;
 }
 
-/* From a part on, the last of those that follow each other and are all uploaded, or all not. */
-static size_t find_run(
-	const struct fin_set *set, size_t first, const struct screen_box *reach, bool *touches)
+/* The larger ones first, each where a buffer may be bound. Returns where the last one ends. */
+static size_t find_groups(struct fin_stream *stream, const struct screen_box *reach)
 {
-	*touches = screen_box_touches(&set->parts[first].box, reach);
-	size_t last = first;
-	while (last + 1 < set->part_count &&
-		screen_box_touches(&set->parts[last + 1].box, reach) == *touches)
-		last++;
-	return last;
+	const struct fin_set *set = &stream->set;
+	size_t end = 0;
+	for (size_t n = FIN_QUADS_MAX; n-- > 0;) {
+		struct fin_group *group = &stream->groups[n];
+		group->first = (end + ALIGNED_FINS - 1) / ALIGNED_FINS * ALIGNED_FINS;
+		group->count = 0;
+		for (size_t i = 0; i < set->part_count; i++)
+			if (screen_box_touches(&set->parts[i].box, reach))
+				group->count += set->parts[i].groups[n];
+		if (group->count > 0)
+			end = group->first + group->count;
+	}
+	return end;
 }
 
-/* Along the edge and around the corner, on one side or both. */
-static size_t quads_of(const struct fin_stream *stream)
+/* Into their groups, in the order of objects. */
+static void sort_fins(struct fin_stream *stream, const struct screen_box *reach)
 {
-	return stream->set.both_sides ? 4 : 2;
+	const struct fin_set *set = &stream->set;
+	size_t next[FIN_QUADS_MAX];
+	for (size_t n = 0; n < FIN_QUADS_MAX; n++)
+		next[n] = stream->groups[n].first;
+	for (size_t i = 0; i < set->part_count; i++) {
+		const struct fin_part *part = &set->parts[i];
+		if (!screen_box_touches(&part->box, reach))
+			continue;
+		const struct fin *fins = set->fins + part->first;
+		for (size_t f = 0; f < part->count; f++)
+			stream->sorted[next[fin_quads(&fins[f], set->both_sides) - 1]++] = fins[f];
+	}
 }
 
 static size_t whole_blocks(size_t count)
@@ -220,30 +245,26 @@ static size_t whole_blocks(size_t count)
 	return count / BLOCK_FINS + (count % BLOCK_FINS > 0);
 }
 
-void fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct target *target,
-	const struct screen_box *part)
+bool fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct target *target,
+	const struct screen_box *part, struct sm_error *error)
 {
-	const struct fin_set *set = &stream->set;
-	struct gl *gl = &gpu->gl;
-	size_t size = sizeof(*set->fins), used = 0;
 	const struct screen_box reach = target_part_reach(target, part);
-	bool touches;
-	upload_ring_turn(&stream->ring, gl, STORAGE_FINS, GL_UNIFORM_BUFFER,
-		whole_blocks(set->count) * BLOCK_FINS * size);
-	for (size_t first = 0, last; first < set->part_count; first = last + 1) {
-		last = find_run(set, first, &reach, &touches);
-		const struct fin_part *end = &set->parts[last];
-		size_t start = set->parts[first].first, count = end->first + end->count - start;
-		if (!touches || count == 0)
-			continue;
-		gl->BufferSubData(GL_UNIFORM_BUFFER, (GLintptr)(used * size),
-			(GLsizeiptr)(count * size), set->fins + start);
-		used += count;
-		gpu->stats.fin_vertices += 4 * fin_set_quads(set, first, last + 1 - first);
-	}
-	stream->uploaded = used;
-	gpu->stats.fin_bytes += used * size;
-	gpu->stats.uploaded_bytes += used * size;
+	const size_t size = sizeof(*stream->sorted), end = find_groups(stream, &reach);
+	if (!array_reserve((void **)&stream->sorted, &stream->sorted_capacity, end, size))
+		return error_no_memory(error);
+	if (end == 0)
+		return true;
+	memset(stream->sorted, 0, end * size); /* also between groups */
+	sort_fins(stream, &reach);
+	/* The last block of a group may reach beyond all. */
+	upload_ring_turn(&stream->ring, &gpu->gl, STORAGE_FINS, GL_UNIFORM_BUFFER,
+		(whole_blocks(end) + 1) * BLOCK_FINS * size);
+	gpu->gl.BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)(end * size), stream->sorted);
+	for (size_t n = 1; n <= FIN_QUADS_MAX; n++)
+		gpu->stats.fin_vertices += 4 * n * stream->groups[n - 1].count;
+	gpu->stats.fin_bytes += end * size;
+	gpu->stats.uploaded_bytes += end * size;
+	return true;
 }
 
 float fin_stream_reach(
@@ -260,10 +281,24 @@ float fin_stream_spread(const struct light_frame *frame, GLsizei map_size)
 static bool draw_block(struct fin_stream *stream, struct gpu *gpu, size_t first, size_t quads,
 	struct sm_error *error)
 {
-	size_t size = sizeof(*stream->set.fins);
+	size_t size = sizeof(*stream->sorted);
 	gpu->gl.BindBufferRange(GL_UNIFORM_BUFFER, 0, upload_ring_buffer(&stream->ring),
 		(GLintptr)(first * size), (GLsizeiptr)(BLOCK_FINS * size));
 	return gpu_draw_quads(gpu, quads, error);
+}
+
+/* Of fins of so many quads. */
+static bool draw_group(struct fin_stream *stream, struct gpu *gpu, const struct program *program,
+	size_t quads, struct sm_error *error)
+{
+	const struct fin_group *group = &stream->groups[quads - 1];
+	gpu->gl.Uniform1i(program->uniform.fin_quads, (GLint)quads);
+	for (size_t done = 0; done < group->count; done += BLOCK_FINS) {
+		size_t rest = group->count - done, count = rest < BLOCK_FINS ? rest : BLOCK_FINS;
+		if (!draw_block(stream, gpu, group->first + done, quads * count, error))
+			return false;
+	}
+	return true;
 }
 
 bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, const struct program *program,
@@ -273,11 +308,9 @@ bool fin_stream_draw(struct fin_stream *stream, struct gpu *gpu, const struct pr
 	gpu->gl.Uniform3f(program->uniform.fin_law, law->width_far, law->drawn_far, law->slope);
 	gpu->gl.Uniform1i(program->uniform.both_sides, stream->set.both_sides);
 	gpu->gl.BindVertexArray(stream->array);
-	for (size_t first = 0; first < stream->uploaded; first += BLOCK_FINS) {
-		size_t rest = stream->uploaded - first;
-		size_t count = rest < BLOCK_FINS ? rest : BLOCK_FINS;
-		if (!draw_block(stream, gpu, first, quads_of(stream) * count, error))
+	for (size_t quads = FIN_QUADS_MAX; quads > 0; quads--)
+		if (stream->groups[quads - 1].count > 0 &&
+			!draw_group(stream, gpu, program, quads, error))
 			return false;
-	}
 	return true;
 }

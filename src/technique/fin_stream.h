@@ -14,7 +14,11 @@ struct fin_stream {
 	GLuint array; /* of no attributes: the vertex shader takes fins from a uniform block */
 	struct upload_ring ring;
 	struct fin_set set;
-	size_t uploaded;               /* fins in the buffer */
+	struct fin *sorted; /* what is uploaded; owned */
+	size_t sorted_capacity;
+	struct fin_group {
+		size_t first, count;
+	} groups[FIN_QUADS_MAX];       /* of fins of 1, 2 ... quads in the buffer */
 	struct object_watch receivers; /* of those that only receive */
 	uint64_t drawn_flags;          /* of the program that they were prepared for last */
 	struct screen_box held;        /* where they are */
@@ -45,9 +49,10 @@ bool fin_stream_prepare(struct fin_stream *stream, struct gpu *gpu, const struct
 	const struct light_frame *frame, const struct fin_shape *shape, const struct fin_maps *maps,
 	uint64_t *flags, struct screen_box *part, struct sm_error *error);
 
-/** Uploads the fins that touch a part of a target's screen, in the order of objects. */
-void fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct target *target,
-	const struct screen_box *part);
+/** Uploads the fins that touch a part of a target's screen. Of any two the same is drawn first,
+ *  whatever the part. False: out of memory, as *error says. */
+bool fin_stream_upload(struct fin_stream *stream, struct gpu *gpu, const struct target *target,
+	const struct screen_box *part, struct sm_error *error);
 
 /** How far, NDC, from a texel casters may be that what fins leave there depends on: as far as these
  *  go, and for the surface that they look up beside their silhouette two texels more. */

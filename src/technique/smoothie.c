@@ -136,7 +136,8 @@ static bool draw_buffer(struct smoothie *smoothie, struct gpu *gpu, const struct
 {
 	uint64_t depth_flags = (flags & ~FLAG_CONE) | FLAG_DEPTH_ONLY;
 	uint64_t alpha_flags = flags | smoothie->alpha_flags;
-	fin_stream_upload(&smoothie->fins, gpu, &smoothie->buffer, part);
+	if (!fin_stream_upload(&smoothie->fins, gpu, &smoothie->buffer, part, error))
+		return false;
 	if (smoothie->two_passes && !draw_by_depth_test(smoothie, gpu, frame, &smoothie->depth,
 					    part, depth_flags, error))
 		return false;

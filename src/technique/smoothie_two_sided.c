@@ -99,9 +99,9 @@ static bool two_sided_prepare(void *state, struct gpu *gpu, const struct sm_scen
 	gl_push_group(&gpu->gl, "smoothies");
 	gpu_bind_texture(gpu, UNIT_DEPTH, depth_map_plain_texture(&two_sided->casters));
 	gpu_bind_texture(gpu, UNIT_RECEIVER, depth_map_plain_texture(&two_sided->receivers));
-	fin_stream_upload(&two_sided->fins, gpu, &two_sided->buffer, &part);
 	clear_buffer(two_sided, &gpu->gl, &part);
-	bool drawn = draw_fins(two_sided, gpu, frame, &part, flags, error);
+	bool drawn = fin_stream_upload(&two_sided->fins, gpu, &two_sided->buffer, &part, error) &&
+		     draw_fins(two_sided, gpu, frame, &part, flags, error);
 	gl_pop_group(&gpu->gl);
 	if (!drawn)
 		depth_map_forget(&two_sided->casters);

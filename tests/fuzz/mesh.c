@@ -170,6 +170,7 @@ static void check_fins(const struct caster *caster, const struct silhouette_edge
 	expect(fins_build(caster, edges, edge_count, params, &scratch, fins, count) == count);
 	for (size_t i = 0; i < count; i++) {
 		size_t vertices = fin_expand(&fins[i], &params->law, params->both_sides, quads);
+		expect(vertices == 4 * fin_quads(&fins[i], params->both_sides));
 		for (size_t first = 0; first < vertices; first += 4)
 			check_quad(quads + first, params);
 	}

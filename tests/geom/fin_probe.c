@@ -29,9 +29,13 @@ struct fins expand(const struct fin *built, size_t count, const struct fin_param
 	struct fins fins = {
 		malloc(FIN_VERTICES_MAX * count * sizeof(*fins.vertices) + (count == 0)), 0};
 	assert_non_null(fins.vertices);
-	for (size_t i = 0; i < count; i++)
-		fins.count += fin_expand(
+	for (size_t i = 0; i < count; i++) {
+		size_t expanded = fin_expand(
 			&built[i], &params->law, params->both_sides, fins.vertices + fins.count);
+		assert_in_range(expanded, 4, FIN_VERTICES_MAX);
+		assert_int_equal(expanded, 4 * fin_quads(&built[i], params->both_sides));
+		fins.count += expanded;
+	}
 	return fins;
 }
 
