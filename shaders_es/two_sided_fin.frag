@@ -21,12 +21,14 @@ const float BESIDE = 0.75;
 // The largest 16-bit float.
 const float MOST_HALF = 65504.0;
 
+// Beside the map, as its nearest texel. Looked up, since drivers that draw on the processor take half
+// as long for that as to fetch.
 float surface_depth(ivec2 texel)
 {
-	texel = clamp(texel, ivec2(0), textureSize(depth_map, 0) - 1);
-	float depth = plain_depth(texelFetch(depth_map, texel, 0));
+	vec2 place = (vec2(texel) + 0.5) / vec2(textureSize(depth_map, 0));
+	float depth = plain_depth(textureLod(depth_map, place, 0.0));
 #ifdef RECEIVER_MAP
-	depth = min(depth, plain_depth(texelFetch(receiver_map, texel, 0)));
+	depth = min(depth, plain_depth(textureLod(receiver_map, place, 0.0)));
 #endif
 	return depth;
 }
