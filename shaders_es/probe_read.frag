@@ -2,6 +2,9 @@
 // not every driver reads floats back. All maps are of 2x2 texels.
 uniform sampler2D base_texture;        // two channels
 uniform sampler2D smoothie_map;        // the same, never fetched by index
+#ifdef GATHER
+uniform isampler2D smoothie_words;     // the same, of halves, as an integer
+#endif
 uniform sampler2D moment_map;          // 32-bit floats
 uniform sampler2D depth_map;           // 24 bits
 uniform sampler2DShadow depth_compare; // the same
@@ -28,6 +31,8 @@ float read_value(int i)
 		return textureGather(moment_map, vec2(0.5))[i - 9];
 	if (i < 17)
 		return textureGather(depth_compare, vec2(0.5), 0.5)[i - 13];
+	if (i < 19)
+		return unpackHalf2x16(uint(textureGather(smoothie_words, vec2(0.5)).w))[i - 17];
 #endif
 	return 0.0;
 }

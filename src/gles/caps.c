@@ -27,6 +27,7 @@ static const struct cap_info infos[CAP_COUNT] = {
 	[CAP_SHADER_FRAMEBUFFER_FETCH] = {EXTENSION(EXT_shader_framebuffer_fetch)},
 	[CAP_TEXTURE_FILTER_ANISOTROPIC] = {EXTENSION(EXT_texture_filter_anisotropic)},
 	[CAP_TEXTURE_SRGB_DECODE] = {EXTENSION(EXT_texture_sRGB_decode)},
+	[CAP_TEXTURE_VIEW] = {EXTENSION(EXT_texture_view)},
 	[CAP_KHR_DEBUG] = {EXTENSION(KHR_debug)},
 	[CAP_TEXTURE_FLOAT_LINEAR] = {EXTENSION(OES_texture_float_linear)},
 	/* 24 bits of a texel, and all of a float. */
@@ -44,6 +45,11 @@ static const struct cap_info infos[CAP_COUNT] = {
 	[CAP_FETCH_RG16F] = {.name = "fetch_rg16f",
 		.any = HALF_TARGETS,
 		.also = CAP_BIT(SHADER_FRAMEBUFFER_FETCH)},
+	/* The halves of an RG16F texel, as one 32-bit integer. */
+	[CAP_HALF_WORDS] = {.name = "half_words",
+		.version = 31,
+		.any = HALF_TARGETS,
+		.also = CAP_BIT(TEXTURE_VIEW)},
 	[CAP_RENDER_R32F] = {.name = "render_r32f", .any = FLOAT_TARGETS},
 	[CAP_RENDER_R16F] = {.name = "render_r16f", .any = HALF_TARGETS},
 	[CAP_RENDER_RG32F] = {.name = "render_rg32f", .any = FLOAT_TARGETS},

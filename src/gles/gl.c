@@ -40,6 +40,11 @@ void gl_load_debug(struct gl *gl, sm_get_proc get_proc)
 	gl->Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS_KHR);
 }
 
+void gl_load_texture_view(struct gl *gl, sm_get_proc get_proc)
+{
+	gl->TextureView = (gl_texture_view)get_proc("glTextureViewEXT");
+}
+
 void gl_push_group(struct gl *gl, const char *name)
 {
 	gl->group = name;

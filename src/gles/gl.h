@@ -20,6 +20,9 @@ typedef void(GL_APIENTRY *gl_debug_message_callback)(gl_debug_callback callback,
 typedef void(GL_APIENTRY *gl_push_debug_group)(
 	GLenum source, GLuint id, GLsizei length, const GLchar *message);
 typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
+typedef void(GL_APIENTRY *gl_texture_view)(GLuint texture, GLenum target, GLuint of,
+	GLenum internal_format, GLuint first_level, GLuint levels, GLuint first_layer,
+	GLuint layers);
 
 /* clang-format off */
 #define GL_FUNCTIONS(X) \
@@ -118,7 +121,8 @@ struct gl {
 	gl_debug_message_callback DebugMessageCallback; /* the next three: NULL without KHR_debug */
 	gl_push_debug_group PushDebugGroup;
 	gl_pop_debug_group PopDebugGroup;
-	int objects; /* made and not yet deleted */
+	gl_texture_view TextureView; /* NULL without EXT_texture_view */
+	int objects;                 /* made and not yet deleted */
 	struct sm_pass_observer observer;
 	const char *group; /* that is open; NULL: none */
 	struct storages storages;
@@ -132,6 +136,9 @@ bool gl_load(struct gl *gl, sm_get_proc get_proc, struct sm_error *error);
 /** Resolves KHR_debug's functions under the names OpenGL ES gives them, and has the log receive
  *  its messages. Call only when the extension string is there. */
 void gl_load_debug(struct gl *gl, sm_get_proc get_proc);
+
+/** Resolves EXT_texture_view's function. Call only when the extension string is there. */
+void gl_load_texture_view(struct gl *gl, sm_get_proc get_proc);
 
 /** Bracket a pass, for debuggers (KHR_debug) and the observer. Passes do not nest. */
 void gl_push_group(struct gl *gl, const char *name);

@@ -14,6 +14,8 @@ bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, const struct sm_driver_opti
 		return false;
 	if (gpu_has(gpu, CAP_KHR_DEBUG))
 		gl_load_debug(&gpu->gl, get_proc);
+	if (gpu_has(gpu, CAP_TEXTURE_VIEW))
+		gl_load_texture_view(&gpu->gl, get_proc);
 	return ways_force(gpu, options->paths, options->path_count, error);
 }
 

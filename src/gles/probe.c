@@ -19,7 +19,8 @@ enum reading {
 	READ_FLOAT = 8,
 	READ_GATHERED = 9,
 	READ_GATHERED_SHADOW = 13,
-	READINGS = 17,
+	READ_WORD = 17, /* texel (0, 0), the halves of an integer */
+	READINGS = 19,
 };
 
 /* No number here is near one of 8, 10 or 16 bits that stands for less than the format has: a
@@ -57,6 +58,7 @@ static const struct color_probe color_probes[CAP_COUNT] = {
 	[CAP_MIN_RGB10_A2] = {GL_RGB10_A2, 2, 1.0f / 1023.0f, .blended = true, .wanted = minimum},
 	[CAP_MIN_RGBA8] = {GL_RGBA8, 2, 1.0f / 255.0f, .blended = true, .wanted = minimum},
 	[CAP_FETCH_RG16F] = {GL_RG16F, 2, STEP_16F, .flags = FLAG_FETCH, .wanted = minimum},
+	[CAP_HALF_WORDS] = {GL_RG16F, 2, STEP_16F, .wanted = overwritten},
 	[CAP_RENDER_R32F] = {GL_R32F, 1, STEP_32F, .wanted = overwritten},
 	[CAP_RENDER_R16F] = {GL_R16F, 1, STEP_16F, .wanted = overwritten},
 	[CAP_RENDER_RG32F] = {GL_RG32F, 2, STEP_32F, .wanted = overwritten},
@@ -101,7 +103,7 @@ static const struct {
 struct probe {
 	struct gpu *gpu;
 	struct target colors, depth, bytes;
-	GLuint uploaded, floats, compare; /* textures and a sampler */
+	GLuint uploaded, floats, words, compare; /* textures and a sampler */
 	float values[READINGS];
 };
 
@@ -207,6 +209,7 @@ static void bind_all(struct probe *probe, bool stored)
 	gpu_bind_texture(gpu, UNIT_BASE, probe->colors.texture);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE, stored ? probe->uploaded : probe->colors.texture);
 	gpu_bind_texture(gpu, UNIT_MOMENTS, probe->floats);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE_WORDS, probe->words);
 	gpu_bind_texture(gpu, UNIT_DEPTH, probe->depth.texture);
 	gpu_bind_texture(gpu, UNIT_DEPTH_COMPARE, probe->depth.texture);
 	gpu->gl.BindSampler(UNIT_DEPTH_COMPARE, probe->compare);
@@ -278,6 +281,16 @@ static void judge_colors(struct probe *probe, enum cap cap, const char *problem)
 	judge(probe, cap, problem, expectations, count);
 }
 
+/* Of halves that are there as an integer as well. */
+static void judge_words(struct probe *probe, const char *problem)
+{
+	const struct expectation expectations[] = {
+		{READ_WORD, first[0], STEP_16F}, {READ_WORD + 1, first[1], STEP_16F}};
+	judge(probe, CAP_HALF_WORDS,
+		problem == NULL && probe->words == 0 ? "a texture has no view" : problem,
+		expectations, 2);
+}
+
 static void judge_all(struct probe *probe, enum cap cap, const char *colors, const char *others)
 {
 	static const struct expectation stored[] = {
@@ -288,6 +301,8 @@ static void judge_all(struct probe *probe, enum cap cap, const char *colors, con
 		judge(probe, cap, others, least, 2);
 		return;
 	}
+	if (color_probes[cap].format == GL_RG16F)
+		judge_words(probe, colors != NULL ? colors : others);
 	if (cap == CAP_SRGB_STORED)
 		judge(probe, cap, others, stored, 1);
 	else if (color_probes[cap].format != 0)
@@ -304,6 +319,8 @@ static void draw(struct probe *probe, enum cap cap)
 	gpu_restore_state(probe->gpu);
 	gl->Disable(GL_DITHER);
 	const char *colors = draw_colors(probe, &color_probes[cap]);
+	if (colors == NULL && color_probes[cap].format == GL_RG16F)
+		probe->words = target_create_view(&probe->colors, gl, STORAGE_PROBES, GL_R32I);
 	const char *depth = draw_depth(probe, cap == CAP_FRAG_DEPTH_MIN);
 	bool complete = target_init(
 		&probe->bytes, gl, STORAGE_PROBES, READINGS, GL_RGBA8, GL_COLOR_ATTACHMENT0, NULL);
@@ -322,6 +339,7 @@ static void finish(struct probe *probe)
 	target_finish(&probe->bytes, gl);
 	gl_delete_texture(gl, &probe->uploaded);
 	gl_delete_texture(gl, &probe->floats);
+	gl_delete_texture(gl, &probe->words);
 	gl_delete_sampler(gl, &probe->compare);
 }
 

@@ -63,7 +63,7 @@ static bool link_program(struct gl *gl, GLuint name, struct program_key key, str
 		gl->LinkProgram(name);
 		gl->GetProgramiv(name, GL_LINK_STATUS, &linked);
 		if (!linked) {
-			char text[340], info[1000] = "";
+			char text[360], info[1000] = "";
 			gl->GetProgramInfoLog(name, sizeof(info), NULL, info);
 			log_error("%s", info);
 			error_set(error, SM_ERROR_MACHINE, "the driver does not link \"%s\"",
@@ -84,6 +84,7 @@ static void set_samplers(struct gl *gl, const struct program *program)
 	gl->Uniform1i(program->uniform.depth_map, UNIT_DEPTH);
 	gl->Uniform1i(program->uniform.receiver_map, UNIT_RECEIVER);
 	gl->Uniform1i(program->uniform.smoothie_map, UNIT_SMOOTHIE);
+	gl->Uniform1i(program->uniform.smoothie_words, UNIT_SMOOTHIE_WORDS);
 	gl->Uniform1i(program->uniform.smoothie_depth, UNIT_SMOOTHIE_DEPTH);
 	gl->Uniform1i(program->uniform.falloff, UNIT_FALLOFF);
 	gl->Uniform1i(program->uniform.fin_map, UNIT_FINS);

@@ -11,8 +11,8 @@
 	X(base_color) X(base_texture) X(ambient_sky) X(ambient_ground) \
 	X(light_is_point) X(light_color) X(light_reach) X(light_cone) \
 	X(screen_w) X(screen_scale) X(screen_depth) X(map_size) X(lookup_reach) X(bias_limit) \
-	X(depth_compare) X(depth_map) X(receiver_map) X(smoothie_map) X(smoothie_depth) \
-	X(fin_law) X(fin_quads) X(both_sides) X(fin_map) X(spread) X(apron) \
+	X(depth_compare) X(depth_map) X(receiver_map) X(smoothie_map) X(smoothie_words) \
+	X(smoothie_depth) X(fin_law) X(fin_quads) X(both_sides) X(fin_map) X(spread) X(apron) \
 	X(falloff) X(near_to_far) X(pole) X(quarter_turns) X(screen_max) \
 	X(disc_points) X(disc_count) X(disc_scale) X(depth_layers) X(plain_layers) \
 	X(moment_map) X(blur_radius) X(min_variance) X(probe_value) \

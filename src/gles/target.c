@@ -76,6 +76,22 @@ bool target_init_layers(struct target *target, struct gl *gl, enum storage_owner
 	return check_target(target, gl, layers, error);
 }
 
+GLuint target_create_view(const struct target *target, struct gl *gl, enum storage_owner owner,
+	GLenum internal_format)
+{
+	if (gl->TextureView == NULL)
+		return 0;
+	gl_take_error(gl);
+	GLuint view = gl_create_texture(gl, owner);
+	gl->ActiveTexture(GL_TEXTURE0);
+	gl->TextureView(view, GL_TEXTURE_2D, target->texture, internal_format, 0, 1, 0, 1);
+	gl->BindTexture(GL_TEXTURE_2D, view);
+	set_texture_parameters(gl, GL_TEXTURE_2D);
+	if (gl_take_error(gl) != NULL)
+		gl_delete_texture(gl, &view);
+	return view;
+}
+
 struct shared_target {
 	struct target target;
 	enum storage_owner owner;

@@ -28,6 +28,10 @@ bool target_init_shared(struct target *target, struct gl *gl, enum storage_owner
 bool target_init_layers(struct target *target, struct gl *gl, enum storage_owner owner,
 	GLsizei size, GLsizei layers, GLenum internal_format, GLenum attachment,
 	struct sm_error *error);
+/** A texture, for the caller to delete, that reads what is in the target, whose texture is no
+ * array, in another format of as many bits: as EXT_texture_view has it. 0: there is none. */
+GLuint target_create_view(const struct target *target, struct gl *gl, enum storage_owner owner,
+	GLenum internal_format);
 /** Of the processor's memory, what sharing takes. */
 size_t targets_shared_bytes(const struct gl *gl);
 /** Fine on a half-made or zeroed target. */
