@@ -17,6 +17,7 @@ static const struct {
 	{"taps", "smoothie", 0},
 	{"taps", "smoothie-two-sided", 0},
 	{"taps", "pcf", 1},
+	{"pairs", "smoothie", 0},
 	{"moments", "vsm", 0},
 	{"branch", "gather", 0},
 };

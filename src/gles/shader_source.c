@@ -53,6 +53,7 @@ static const struct {
 	FLAG(FOUND),
 	FLAG(COARSE),
 	FLAG(BEHIND),
+	FLAG(WORDS),
 #undef FLAG
 };
 
@@ -165,7 +166,7 @@ static const struct {
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
 				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS |
-				 FLAG_COARSE | FLAG_BEHIND,
+				 FLAG_COARSE | FLAG_BEHIND | FLAG_WORDS,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -341,6 +342,8 @@ static bool surface_is_valid(uint64_t flags)
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
 	       implies(flags, FLAG_ALPHA_DEPTH, FLAG_SEPARATE_DEPTH) &&
+	       implies(flags, FLAG_WORDS, FLAG_SMOOTHIE | FLAG_GATHER) &&
+	       excludes(flags, FLAG_WORDS, FLAG_SEPARATE_DEPTH) &&
 	       implies(flags, FLAG_SPLIT, FLAG_VSM) &&
 	       implies(flags, FLAG_POINTS, FLAG_VISIBILITY) &&
 	       implies(flags, FLAG_RUNS, FLAG_EDGES) && implies(flags, FLAG_COARSE, FLAG_EDGES) &&

@@ -49,6 +49,11 @@ static const struct {
 		[TAPS_GATHER] = {"gather", "textureGather", CAP_BIT(TEXTURE_GATHER), 0},
 		[TAPS_FETCH] = {"fetch", "four fetches", 0, 0},
 	}},
+	[DRIVER_PAIRS] = {"pairs", "two halves each of four texels", {
+		[PAIRS_WORDS] = {"words", "textureGather of both as an integer",
+			CAP_BIT(HALF_WORDS) | CAP_BIT(TEXTURE_GATHER), 0},
+		[PAIRS_APART] = {"apart", "each as taps are", 0, 0},
+	}},
 	/* The square of a depth takes twice its digits: in 16 bits alone it would tell no two depths
 	 * apart that are nearer than a hundredth of the light's range. */
 	[DRIVER_MOMENTS] = {"moments", "the moments of depth of vsm", {

@@ -46,6 +46,14 @@ static bool choose_way(struct smoothie *smoothie, struct gpu *gpu,
 	return true;
 }
 
+/* Whether both channels of the buffer are to be looked up at once. */
+static bool takes_words(const struct smoothie *smoothie, struct gpu *gpu)
+{
+	return way_at(DRIVER_SMOOTHIE, (size_t)smoothie->way)->format == GL_RG16F &&
+	       !smoothie->two_passes && smoothie->surface_flags & FLAG_GATHER &&
+	       way_choose(gpu, DRIVER_PAIRS, NULL) == PAIRS_WORDS;
+}
+
 bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
 	const struct sm_shadow_options *options, const struct fin_shape *shape, uint64_t fin_flags,
 	struct sm_error *error)
@@ -66,6 +74,11 @@ bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
 							     : GL_COLOR_ATTACHMENT0,
 			error))
 		return false;
+	if (takes_words(smoothie, gpu))
+		smoothie->words =
+			target_create_view(&smoothie->buffer, gl, STORAGE_SMOOTHIES, GL_R32I);
+	if (smoothie->words != 0)
+		smoothie->surface_flags |= FLAG_WORDS;
 	return !smoothie->two_passes ||
 	       target_init(&smoothie->depth, gl, STORAGE_SMOOTHIE_DEPTHS, size,
 		       GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error);
@@ -77,6 +90,7 @@ void smoothie_finish(void *state, struct gpu *gpu)
 	fin_stream_finish(&smoothie->fins, gpu);
 	gl_delete_texture(&gpu->gl, &smoothie->falloff);
 	target_finish(&smoothie->depth, &gpu->gl);
+	gl_delete_texture(&gpu->gl, &smoothie->words);
 	target_finish(&smoothie->buffer, &gpu->gl);
 	depth_map_finish(&smoothie->receivers, gpu);
 	depth_map_finish(&smoothie->casters, gpu);
@@ -209,6 +223,7 @@ void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame 
 	const struct smoothie *smoothie = state;
 	depth_map_bind(&smoothie->casters, gpu, frame, program);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE, smoothie->buffer.texture);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE_WORDS, smoothie->words);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE_DEPTH, smoothie->depth.texture);
 }
 

@@ -150,6 +150,7 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	const size_t edges = 2 * 2 * 2;
 	const size_t shadows = comparison + /* hard */
 			       3 * taps +   /* smoothies, with no or own depth, or alpha too */
+			       1 +          /* depth and alpha of smoothies at once */
 			       taps +       /* two-sided smoothies */
 			       taps +       /* bicubic */
 			       3 * plain +  /* pcss: plain depths, and one of three comparisons */
@@ -218,6 +219,9 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE,
 			FLAG_LIT | FLAG_SHADOWED | FLAG_PCSS | FLAG_DEPTH_HALF | FLAG_DEPTH_PACKED},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_ALPHA_DEPTH},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_WORDS},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_GATHER |
+					  FLAG_SEPARATE_DEPTH | FLAG_WORDS},
 		{PROGRAM_SURFACE, FLAG_DEPTH_HALF},
 		{PROGRAM_FIN, FLAG_ALPHA_DEPTH | FLAG_FETCH},
 		{PROGRAM_FIN, FLAG_DEPTH_ONLY | FLAG_ALPHA_DEPTH},
@@ -245,7 +249,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 static void names_tell_variants_apart(void **state)
 {
 	(void)state;
-	char text[340], cut[8];
+	char text[360], cut[8];
 	struct program_key key = {PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD};
 	assert_string_equal(program_key_name(key, text, sizeof(text)), "surface LIT SHADOWED HARD");
 	assert_string_equal(program_key_name(key, cut, sizeof(cut)), "surface");

@@ -48,6 +48,7 @@ static const struct {
 			       {{.technique = "maps", .samples = 4}}}},
 	{"taps", {{{SMOOTHIE}}, {{.technique = "smoothie-two-sided"}},
 			 {{.technique = "pcf", .samples = 16}}}},
+	{"pairs", {{{SMOOTHIE}}, {{SMOOTHIE}, "smoothie=fetch"}, {{.technique = "penumbra-map"}}}},
 	{"moments", {{{.technique = "vsm"}}}},
 };
 
@@ -229,6 +230,11 @@ static void taps_of_every_way_look_alike(void **state)
 	check_need(*state, "taps");
 }
 
+static void pairs_of_every_way_look_alike(void **state)
+{
+	check_need(*state, "pairs");
+}
+
 static void moments_of_every_way_look_alike(void **state)
 {
 	check_need(*state, "moments");
@@ -308,6 +314,7 @@ int main(void)
 		ways_test(plain_depths_of_every_way_look_alike),
 		ways_test(comparisons_of_every_way_look_alike),
 		ways_test(taps_of_every_way_look_alike),
+		ways_test(pairs_of_every_way_look_alike),
 		ways_test(moments_of_every_way_look_alike),
 	};
 	return cmocka_run_group_tests(tests, load_places, unload_places);
