@@ -264,6 +264,9 @@ enum sm_sampling {
 	/** Each, once it is known which surface is seen there. Dense with drivers that do not
 	 *  read depths. */
 	SM_SAMPLING_DEFERRED,
+	/** As sparse, once it is known which surface is seen at each pixel. Sparse with drivers
+	 *  that do not read depths. */
+	SM_SAMPLING_DEFERRED_SPARSE,
 };
 
 /** Pixels of the picture and texels of the map a side, at most, in half and fixed12: what they
@@ -370,8 +373,8 @@ struct sm_frame_stats {
 	uint32_t draw_calls;
 	uint32_t lights;           /**< shown with shadows */
 	uint32_t hard_lights;      /**< of these: by "auto", as "hard" */
-	uint32_t sparse_lights;    /**< of these: with SM_SAMPLING_SPARSE */
-	uint32_t deferred_lights;  /**< likewise, SM_SAMPLING_DEFERRED */
+	uint32_t sparse_lights;    /**< of these: _SPARSE or _DEFERRED_SPARSE */
+	uint32_t deferred_lights;  /**< likewise, _DEFERRED or _DEFERRED_SPARSE */
 	uint64_t triangles;        /**< submitted, all passes */
 	uint64_t silhouette_edges; /**< all lights whose silhouettes were looked for */
 	uint64_t edges_left_out;   /**< by "gather": an edge counts for each part of the light's

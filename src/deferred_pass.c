@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "deferred_pass.h"
+#include "sparse_pass.h"
 
 static bool draw_receivers(const struct surface_pass *view, struct sm_error *error)
 {
@@ -23,48 +24,106 @@ static bool draw_receivers(const struct surface_pass *view, struct sm_error *err
 	return surface_pass_draw(&pass, error);
 }
 
-/* Its depth is the receivers', which is not used. */
-static bool bind_found(
-	const struct surface_pass *view, struct picture *found, struct sm_error *error)
+static uint64_t find_flags(const struct surface_pass *view)
 {
-	struct gl *gl = &view->renderer->gpu.gl;
-	if (found->width == view->width && found->height == view->height) {
-		picture_bind(found, gl);
-		return true;
-	}
-	picture_finish(found, gl);
-	return picture_init(found, gl, STORAGE_FOUND, view->width, view->height, GL_R16UI,
-		view->renderer->receivers.depth, error);
+	const struct technique *technique = view->renderer->shadows.technique;
+	uint64_t way = technique->surface_flags(view->shadow->state);
+	return FLAG_RECEIVERS | (way & (FLAG_RUNS | FLAG_COARSE));
 }
 
-static bool find(const struct surface_pass *view, struct picture *found, struct sm_error *error)
+/* Of the light, with its receivers to read. */
+static const struct program *use_program(
+	const struct surface_pass *view, struct program_key key, struct sm_error *error)
 {
 	struct sm_renderer *renderer = view->renderer;
 	struct gpu *gpu = &renderer->gpu;
-	uint64_t way = renderer->shadows.technique->surface_flags(view->shadow->state);
-	struct program_key key = {PROGRAM_FIND, FLAG_RECEIVERS | (way & (FLAG_RUNS | FLAG_COARSE))};
-	if (!bind_found(view, found, error))
-		return false;
 	const struct program *program = program_use(&gpu->programs, &gpu->gl, key, error);
 	if (program == NULL)
-		return false;
-	gpu->gl.Disable(GL_CULL_FACE);
-	gpu->gl.Disable(GL_DEPTH_TEST);
+		return NULL;
 	renderer->shadows.technique->bind(view->shadow->state, gpu, view->frame, program);
 	gpu_bind_texture(gpu, UNIT_POINTS, renderer->receivers.color);
-	gpu_fill_viewport(gpu, 0);
+	gpu_bind_texture(gpu, UNIT_VISIBILITY_DEPTH, renderer->receivers.depth);
+	return program;
+}
+
+static bool find_points(const struct surface_pass *view, struct sm_error *error)
+{
+	struct sm_renderer *renderer = view->renderer;
+	struct program_key key = {PROGRAM_FIND, find_flags(view) | FLAG_POINTS};
+	renderer->gpu.gl.Disable(GL_CULL_FACE);
+	if (!sparse_pass_bind_points(view, error) || use_program(view, key, error) == NULL)
+		return false;
+	gpu_fill_viewport(&renderer->gpu, 0);
 	return true;
+}
+
+/* What needs no edges, which then fails the depth test: drivers leave out whole blocks of pixels
+ * there before they shade them. */
+static bool find_known(
+	const struct surface_pass *view, struct picture *cells, struct sm_error *error)
+{
+	struct surface_pass pass = *view;
+	struct gl *gl = &view->renderer->gpu.gl;
+	struct program_key key = {PROGRAM_KNOWN, cells != NULL ? FLAG_CELLS : 0};
+	const struct program *program = use_program(view, key, error);
+	if (program == NULL)
+		return false;
+	pass.cells = cells;
+	if (cells != NULL)
+		sparse_pass_bind(&pass, program);
+	gl->Disable(GL_CULL_FACE);
+	gl->Disable(GL_BLEND);
+	gl->DepthMask(GL_TRUE);
+	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(GL_LESS);
+	gpu_fill_tested(&view->renderer->gpu);
+	return true;
+}
+
+static bool find_rest(const struct surface_pass *view, struct sm_error *error)
+{
+	struct program_key key = {PROGRAM_FIND, find_flags(view)};
+	if (use_program(view, key, error) == NULL)
+		return false;
+	view->renderer->gpu.gl.DepthMask(GL_FALSE);
+	gpu_fill_tested(&view->renderer->gpu);
+	view->renderer->gpu.gl.DepthMask(GL_TRUE);
+	return true;
+}
+
+/* Of all lights, as the receivers are. */
+static bool draw_points(const struct surface_pass *view, struct sm_error *error)
+{
+	struct gl *gl = &view->renderer->gpu.gl;
+	gl_push_group(gl, "points");
+	bool drawn = find_points(view, error);
+	gl_pop_group(gl);
+	return drawn;
+}
+
+static bool find(const struct surface_pass *view, struct shadowed_light *light, bool sparse,
+	struct sm_error *error)
+{
+	struct gl *gl = &view->renderer->gpu.gl;
+	struct picture *found = &light->found, *cells = sparse ? &light->cells : NULL;
+	if ((sparse && !sparse_pass_join(view, cells, error)) ||
+		!picture_resize(
+			found, gl, STORAGE_FOUND, view->width, view->height, GL_R16UI, error))
+		return false;
+	return find_known(view, cells, error) && find_rest(view, error);
 }
 
 bool deferred_pass_draw(
 	const struct surface_pass *view, struct shadowed_light *light, struct sm_error *error)
 {
 	struct gl *gl = &view->renderer->gpu.gl;
-	if (!draw_receivers(view, error))
+	bool sparse = light->sampling == SM_SAMPLING_DEFERRED_SPARSE;
+	if (!draw_receivers(view, error) || (sparse && !draw_points(view, error)))
 		return false;
 	gl_push_group(gl, "visibility");
 	gl->light = (uint32_t)(light - view->renderer->lights);
-	bool drawn = find(view, &light->found, error);
+	bool drawn = find(view, light, sparse, error);
 	gl->light = SM_NONE;
 	gl_pop_group(gl);
 	return drawn;
@@ -94,7 +153,8 @@ void deferred_pass_end_frame(struct sm_renderer *renderer)
 	bool used = false;
 	for (size_t i = 0; i < renderer->light_capacity; i++) {
 		struct shadowed_light *light = &renderer->lights[i];
-		bool deferred = light->sampling == SM_SAMPLING_DEFERRED;
+		bool deferred = light->sampling == SM_SAMPLING_DEFERRED ||
+				light->sampling == SM_SAMPLING_DEFERRED_SPARSE;
 		light->deferred_idle = deferred ? 0 : light->deferred_idle + 1;
 		if (light->deferred_idle == IDLE_FRAMES_MAX)
 			give_back(renderer, light);

@@ -84,9 +84,9 @@ static bool check_range(
 	if (options->passes > 2)
 		return error_set(
 			error, SM_ERROR_INPUT, "%u smoothie passes; 1 or 2", options->passes);
-	if (options->sampling > SM_SAMPLING_DEFERRED)
+	if (options->sampling > SM_SAMPLING_DEFERRED_SPARSE)
 		return error_set(error, SM_ERROR_INPUT, "a sampling of number %d; the last is %d",
-			(int)options->sampling, SM_SAMPLING_DEFERRED);
+			(int)options->sampling, SM_SAMPLING_DEFERRED_SPARSE);
 	return true;
 }
 

@@ -36,23 +36,31 @@ static void find_tolerance(const struct surface_pass *view, float tolerance[2])
 	tolerance[1] = -step;
 }
 
+bool sparse_pass_bind_points(const struct surface_pass *view, struct sm_error *error)
+{
+	uint32_t columns = (view->width + SPARSE_SPACING - 1) / SPARSE_SPACING + 3;
+	uint32_t rows = (view->height + SPARSE_SPACING - 1) / SPARSE_SPACING + 3;
+	return picture_resize(&view->renderer->points, &view->renderer->gpu.gl, STORAGE_POINTS,
+		columns, rows, GL_RG32UI, error);
+}
+
 static bool draw_points(const struct surface_pass *view, struct sm_error *error)
 {
 	static const GLuint nothing[4] = {0, 0, 0, 0}; /* narrow */
-	struct picture *points = &view->renderer->points;
+	const struct picture *points = &view->renderer->points;
 	struct gl *gl = &view->renderer->gpu.gl;
 	struct surface_pass pass = *view;
 	mat4 wide;
-	pass.width = (view->width + SPARSE_SPACING - 1) / SPARSE_SPACING + 3;
-	pass.height = (view->height + SPARSE_SPACING - 1) / SPARSE_SPACING + 3;
+	if (!sparse_pass_bind_points(view, error))
+		return false;
+	pass.width = points->width;
+	pass.height = points->height;
 	pass.flags = FLAG_VISIBILITY | FLAG_POINTS;
 	pass.first = true;
 	pass.multisampled = false;
 	pass.cells = NULL;
 	widen_view(view, pass.width, pass.height, wide);
 	pass.world_to_clip = wide;
-	if (!picture_resize(points, gl, STORAGE_POINTS, pass.width, pass.height, GL_RG32UI, error))
-		return false;
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	gl->DepthMask(GL_TRUE);
@@ -62,7 +70,7 @@ static bool draw_points(const struct surface_pass *view, struct sm_error *error)
 	return surface_pass_draw(&pass, error);
 }
 
-static bool join_points(
+bool sparse_pass_join(
 	const struct surface_pass *view, struct picture *cells, struct sm_error *error)
 {
 	struct gpu *gpu = &view->renderer->gpu;
@@ -94,7 +102,7 @@ bool sparse_pass_draw(
 	struct gl *gl = &view->renderer->gpu.gl;
 	gl_push_group(gl, "cells");
 	gl->light = (uint32_t)(light - view->renderer->lights);
-	bool drawn = join_points(view, &light->cells, error);
+	bool drawn = sparse_pass_join(view, &light->cells, error);
 	gl->light = SM_NONE;
 	gl_pop_group(gl);
 	return drawn;
@@ -122,7 +130,8 @@ void sparse_pass_end_frame(struct sm_renderer *renderer)
 	bool used = false;
 	for (size_t i = 0; i < renderer->light_capacity; i++) {
 		struct shadowed_light *light = &renderer->lights[i];
-		bool sparse = light->sampling == SM_SAMPLING_SPARSE;
+		bool sparse = light->sampling == SM_SAMPLING_SPARSE ||
+			      light->sampling == SM_SAMPLING_DEFERRED_SPARSE;
 		light->sparse_idle = sparse ? 0 : light->sparse_idle + 1;
 		if (light->sparse_idle == IDLE_FRAMES_MAX)
 			give_back(renderer, light);

@@ -15,6 +15,13 @@
 bool sparse_pass_draw(
 	const struct surface_pass *view, struct shadowed_light *light, struct sm_error *error);
 
+/** The picture that a light's visibility at points is drawn into, and to be joined from. */
+bool sparse_pass_bind_points(const struct surface_pass *view, struct sm_error *error);
+
+/** Joins points to cells, of which the picture is made that size. */
+bool sparse_pass_join(
+	const struct surface_pass *view, struct picture *cells, struct sm_error *error);
+
 /** Sets what surfaces look cells up by; flags of the program: CELLS. */
 void sparse_pass_bind(const struct surface_pass *pass, const struct program *program);
 

@@ -32,7 +32,7 @@ bool scene_options_precision(const char *name, enum sm_precision *precision)
 
 static bool read_sampling(const char *name, enum sm_sampling *sampling)
 {
-	static const char *const names[] = {"dense", "sparse", "deferred"};
+	static const char *const names[] = {"dense", "sparse", "deferred", "deferred-sparse"};
 	for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
 		if (strcmp(names[i], name) == 0) {
 			*sampling = (enum sm_sampling)(i + 1);
@@ -84,7 +84,9 @@ bool scene_options_flag(struct scene_options *options, const struct command *com
 	case FLAG_SAMPLING:
 		return read_sampling(value, &options->sampling) ||
 		       options_error(error, command,
-			       "--sampling %.40s: dense, sparse or deferred is wanted", value);
+			       "--sampling %.40s: dense, sparse, deferred or deferred-sparse is "
+			       "wanted",
+			       value);
 	case FLAG_ANIMATION:
 		return take_animation(options, command, value, error);
 	case FLAG_SET:

@@ -12,7 +12,7 @@
 		{FLAG_PRECISION, "precision", "NAME",                                     \
 			"arithmetic of shadows: float, half or fixed12"},                 \
 		{FLAG_SAMPLING, "sampling", "NAME",                                       \
-			"pixels that gather finds shadows for: dense, sparse, deferred"}, \
+			"dense, sparse, deferred or deferred-sparse: pixels of gather"},  \
 		{FLAG_MAP, "map", "N", "texels a side of the shadow map"},                \
 		{FLAG_ANIMATION, "animation", "NAME|N", "what models do; none: nothing"}, \
 	{                                                                                 \

@@ -164,6 +164,11 @@ void gpu_fill_viewport(struct gpu *gpu, GLuint texture)
 	gpu->gl.Disable(GL_BLEND);
 	gpu->gl.Disable(GL_DEPTH_TEST);
 	gpu_bind_texture(gpu, UNIT_BASE, texture);
+	gpu_fill_tested(gpu);
+}
+
+void gpu_fill_tested(struct gpu *gpu)
+{
 	gpu->gl.BindVertexArray(0);
 	gpu->gl.DrawArrays(GL_TRIANGLES, 0, 3);
 	gpu->stats.draw_calls++;

@@ -70,6 +70,8 @@ void gpu_bind_stored_sampler(struct gpu *gpu, enum texture_unit unit);
 /** Draws one triangle over the whole viewport, with the program in use (copy.vert) and `texture`
  *  as its base texture. */
 void gpu_fill_viewport(struct gpu *gpu, GLuint texture);
+/** The same triangle, at half the depth, under what tests are on. */
+void gpu_fill_tested(struct gpu *gpu);
 
 /** Sets GL's state to what sm_renderer_draw() promises to leave. */
 void gpu_restore_state(struct gpu *gpu);

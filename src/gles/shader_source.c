@@ -90,7 +90,7 @@ static const struct {
 	const char *name;
 	uint64_t flags;      /* that mean something */
 	const char *defines; /* in all variants; may be NULL */
-	struct part parts[2][26];
+	struct part parts[2][27];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -194,6 +194,7 @@ static const struct {
 						{"gather_disc.glsl", FLAG_EDGES},
 						{"shadow_gather.glsl", FLAG_EDGES},
 						{"sparse_cell.glsl", FLAG_CELLS},
+						{"sparse_between.glsl", FLAG_CELLS},
 						{"sparse_visibility.glsl", FLAG_CELLS},
 						{"exact_seen.glsl", FLAG_SEEN},
 						{"deferred_seen.glsl", FLAG_FOUND},
@@ -208,16 +209,30 @@ static const struct {
 			.name = "cells",
 			.parts = {{{"copy.vert"}}, {{"sparse_cell.glsl"}, {"sparse_cells.frag"}}},
 		},
+	[PROGRAM_KNOWN] =
+		{
+			.name = "known",
+			.flags = FLAG_CELLS,
+			.parts =
+				{
+					{{"copy.vert"}},
+					{{"sparse_cell.glsl", FLAG_CELLS},
+						{"sparse_between.glsl", FLAG_CELLS},
+						{"deferred_receivers.glsl"},
+						{"deferred_known.frag"}},
+				},
+		},
 	[PROGRAM_FIND] =
 		{
 			.name = "find",
-			.flags = FLAG_RECEIVERS | FLAG_RUNS | FLAG_COARSE,
+			.flags = FLAG_RECEIVERS | FLAG_RUNS | FLAG_COARSE | FLAG_POINTS,
 			.parts =
 				{
 					{{"copy.vert"}},
 					{{"common_depth_step.glsl"}, {"shadow_receiver.glsl"},
 						{"gather_sheet.glsl"}, {"gather_disc.glsl"},
-						{"shadow_gather.glsl"}, {"deferred_find.frag"}},
+						{"shadow_gather.glsl"}, {"deferred_receivers.glsl"},
+						{"deferred_find.frag"}},
 				},
 		},
 	[PROGRAM_COPY] =
@@ -367,7 +382,7 @@ bool program_key_is_valid(struct program_key key)
 		return flags & FLAG_RECEIVERS ? receivers_are_valid(flags)
 					      : surface_is_valid(flags);
 	case PROGRAM_FIND:
-		return (flags & ~(FLAG_RUNS | FLAG_COARSE)) == FLAG_RECEIVERS;
+		return (flags & ~(FLAG_RUNS | FLAG_COARSE | FLAG_POINTS)) == FLAG_RECEIVERS;
 	case PROGRAM_FIN:
 		return excludes(flags, FLAG_DEPTH_ONLY,
 			       FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH) &&

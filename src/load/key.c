@@ -110,7 +110,7 @@ static const struct key keys[] = {
 	{SECTION_SHADOW, "precision", KEY_WORD, offsetof(struct plan_shadow, precision),
 		.initial = "default", .words = "default|float|half|fixed12"},
 	{SECTION_SHADOW, "sampling", KEY_WORD, offsetof(struct plan_shadow, sampling),
-		.initial = "default", .words = "default|dense|sparse|deferred"},
+		.initial = "default", .words = "default|dense|sparse|deferred|deferred-sparse"},
 	{SECTION_OUTPUT, "size", KEY_SIZE, offsetof(struct plan_output, width),
 		.follows = "the model's camera, or else 1280x960", .min = 1, .max = 16384},
 	{SECTION_OUTPUT, "samples", KEY_WORD, offsetof(struct plan_output, samples), .initial = "4",

@@ -31,7 +31,7 @@ struct gather {
 	float farthest[SCREEN_GRID_SIZE * SCREEN_GRID_SIZE]; /* of casters over a cell; 0: none */
 	struct depth_map hard; /* of a light that is a point; made when there is one */
 	bool point;
-	bool sparse; /* by itself, in the last frame */
+	bool sparse, long_lists; /* chosen by itself, in the last frame */
 	enum sm_sampling sampling;
 	float depth_noise;
 	bool told;         /* that edges are left out */
@@ -295,41 +295,65 @@ static const float *gather_farthest(const void *state)
 }
 
 /* The widest penumbra, in pixels where the light's screen is as high as the view, from which on
- * points of the view cost less: measured on scenes of few sheets in line, and of as many as there
- * are layers, where more pixels lie at a surface's edge or near a contact. A light leaves that
- * again below a share of it. */
+ * points of the view cost less: measured on scenes of few sheets in line, of as many as there are
+ * layers, where more pixels lie at a surface's edge or near a contact, and of long lists. */
 #define WIDTH_SPARSE 56.0f
 #define WIDTH_SPARSE_DEEP 100.0f
-#define WIDTH_KEPT 0.8f
+#define WIDTH_SPARSE_LONG 28.0f
 
-/* Edges of a list, in the mean, from which on a pixel costs so much that points pay in deep scenes
- * as well as in others. */
-#define LONG_LIST 48.0f
+/* Edges of a list, in the mean, from which on a pixel costs so much that it pays to know which are
+ * seen, and which need edges. */
+#define LIST_LONG 32.0f
 
 /* Pixels to a triangle of the scene, below which a picture is deferred: small triangles are shaded
  * in blocks of more pixels than they have, hidden ones as well. */
 #define PIXELS_DEFERRED 16
 
+/* Of a limit: from which down what began above it ends. */
+#define SHARE_KEPT 0.8f
+
+static bool is_above(float value, float limit, bool was)
+{
+	return value > (was ? SHARE_KEPT * limit : limit);
+}
+
+static void choose_by_itself(struct gather *gather, float pixels, bool known)
+{
+	gather->long_lists =
+		is_above(gather->grid.mean_list, LIST_LONG, known && gather->long_lists);
+	float enough = gather->long_lists                      ? WIDTH_SPARSE_LONG
+		       : gather->layers.count == GATHER_LAYERS ? WIDTH_SPARSE_DEEP
+							       : WIDTH_SPARSE;
+	gather->sparse = is_above(pixels, enough, known && gather->sparse);
+}
+
+static enum sm_sampling sampling_of(bool sparse, bool deferred)
+{
+	if (sparse)
+		return deferred ? SM_SAMPLING_DEFERRED_SPARSE : SM_SAMPLING_SPARSE;
+	return deferred ? SM_SAMPLING_DEFERRED : SM_SAMPLING_DENSE;
+}
+
 static enum sm_sampling gather_sampling(void *state, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct technique_view *view)
 {
 	struct gather *gather = state;
-	float pixels = penumbra_texels(scene, frame, view->height);
-	/* What another scene had does not count in this one. */
-	bool was_sparse = gather->sparse && gather->scene == scene->id;
-	bool deep = gather->layers.count == GATHER_LAYERS && gather->grid.mean_list < LONG_LIST;
-	float enough = deep ? WIDTH_SPARSE_DEEP : WIDTH_SPARSE;
-	bool small = (uint64_t)view->width * view->height / PIXELS_DEFERRED < view->triangles;
-	gather->scene = scene->id;
-	gather->sparse = pixels > (was_sparse ? WIDTH_KEPT * enough : enough);
 	enum sm_sampling chosen = gather->sampling;
+	bool small = (uint64_t)view->width * view->height / PIXELS_DEFERRED < view->triangles;
+	/* What another scene had does not count in this one. */
+	choose_by_itself(
+		gather, penumbra_texels(scene, frame, view->height), gather->scene == scene->id);
+	gather->scene = scene->id;
 	if (gather->point)
 		return SM_SAMPLING_DENSE;
-	if (chosen == SM_SAMPLING_DEFAULT)
-		chosen = small            ? SM_SAMPLING_DEFERRED
-			 : gather->sparse ? SM_SAMPLING_SPARSE
-					  : SM_SAMPLING_DENSE;
-	return chosen == SM_SAMPLING_DEFERRED && !view->deferrable ? SM_SAMPLING_DENSE : chosen;
+	bool sparse = chosen == SM_SAMPLING_SPARSE || chosen == SM_SAMPLING_DEFERRED_SPARSE;
+	bool deferred = chosen == SM_SAMPLING_DEFERRED || chosen == SM_SAMPLING_DEFERRED_SPARSE;
+	if (chosen == SM_SAMPLING_DEFAULT) {
+		sparse = gather->sparse;
+		deferred = small || gather->long_lists;
+	}
+	/* Else surfaces find what they cannot look up. */
+	return sampling_of(sparse, deferred && view->deferrable);
 }
 
 static void gather_leave(void *state)

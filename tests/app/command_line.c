@@ -69,7 +69,7 @@ static const struct {
 	{2, "-o - does not go with", {"render", CYLINDER, "--frames", "2", "-o", "-"}},
 
 	{2, "no-such-technique", {"render", CYLINDER, "--technique", "no-such-technique"}},
-	{2, "--sampling coarse: dense, sparse or deferred is wanted",
+	{2, "--sampling coarse: dense, sparse, deferred or deferred-sparse is wanted",
 		{"render", CYLINDER, "--sampling", "coarse"}},
 	{2, "--precision double: float, half or fixed12 is wanted",
 		{"render", CYLINDER, "--precision", "double"}},

@@ -167,7 +167,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + edges + 4 * 2);
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
 	/* Whole lists or runs, on a fine raster grid or a coarse one. */
-	assert_int_equal(counts[PROGRAM_FIND], 2 * 2);
+	assert_int_equal(counts[PROGRAM_FIND], 2 * 2 * 2);
+	assert_int_equal(counts[PROGRAM_KNOWN], 2);
 }
 
 static void shadow_functions_come_with_the_flag_of_their_technique(void **state)

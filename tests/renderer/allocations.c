@@ -75,6 +75,8 @@ static void the_same_frame_allocates_nothing(void **state)
 		{{.technique = "gather", .sampling = SM_SAMPLING_DENSE}, GL_RGBA8, SM_NONE},
 		{{.technique = "gather", .sampling = SM_SAMPLING_SPARSE}, GL_RGBA8, SM_NONE},
 		{{.technique = "gather", .sampling = SM_SAMPLING_DEFERRED}, GL_RGBA8, SM_NONE},
+		{{.technique = "gather", .sampling = SM_SAMPLING_DEFERRED_SPARSE}, GL_RGBA8,
+			SM_NONE},
 		{{.technique = "gather"}, GL_SRGB8_ALPHA8, 1},
 		{{.technique = "auto"}, GL_SRGB8_ALPHA8, SM_NONE},
 		{{.technique = "smoothie", .falloff = SM_FALLOFF_SINUSOID}, GL_RGBA8, 1},

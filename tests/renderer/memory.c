@@ -292,6 +292,7 @@ static const struct technique_case {
 	{{.technique = "gather", .sampling = SM_SAMPLING_DENSE}, NULL},
 	{{.technique = "gather", .sampling = SM_SAMPLING_SPARSE}, NULL},
 	{{.technique = "gather", .sampling = SM_SAMPLING_DEFERRED}, NULL},
+	{{.technique = "gather", .sampling = SM_SAMPLING_DEFERRED_SPARSE}, NULL},
 	{{.technique = "auto"}, NULL},
 	{{.precision = SM_PRECISION_HALF}, NULL},
 	{{.precision = SM_PRECISION_FIXED12, .falloff = SM_FALLOFF_SINUSOID}, NULL},

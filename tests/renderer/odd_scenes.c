@@ -50,6 +50,7 @@ static void draw_all_ways(struct rig *rig, const struct sm_camera *camera)
 		{.technique = "penumbra-map"},
 		{.technique = "gather", .sampling = SM_SAMPLING_DENSE},
 		{.technique = "gather", .sampling = SM_SAMPLING_DEFERRED},
+		{.technique = "gather", .sampling = SM_SAMPLING_DEFERRED_SPARSE},
 		{.technique = "auto", .sampling = SM_SAMPLING_SPARSE},
 		{.technique = "pcf", .samples = 16},
 		{.technique = "pcss", .samples = 32},

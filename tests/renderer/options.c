@@ -63,7 +63,7 @@ static void bad_options_are_refused_with_a_reason(void **state)
 		{{.technique = "pcf", .sampling = SM_SAMPLING_DENSE},
 			"shadow sampling does nothing"},
 		{{.sampling = SM_SAMPLING_SPARSE, .width = 0.1f}, "shadow width does nothing"},
-		{{.sampling = (enum sm_sampling)4}, "a sampling of number 4; the last is 3"},
+		{{.sampling = (enum sm_sampling)5}, "a sampling of number 5; the last is 4"},
 		{{.technique = "hard", .samples = 4}, "shadow samples does nothing"},
 		{{.technique = "pcf", .samples = 5},
 			"5 shadow samples; with the technique \"pcf\" there are: 4, 16"},

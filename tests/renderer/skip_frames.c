@@ -40,6 +40,7 @@ static const struct sm_shadow_options choices[] = {
 	{.technique = "gather", .map_size = 128},
 	{.technique = "gather", .map_size = 128, .sampling = SM_SAMPLING_SPARSE},
 	{.technique = "gather", .map_size = 128, .sampling = SM_SAMPLING_DEFERRED},
+	{.technique = "gather", .map_size = 128, .sampling = SM_SAMPLING_DEFERRED_SPARSE},
 	{.technique = "auto", .map_size = 128, .sampling = SM_SAMPLING_SPARSE},
 	{.precision = SM_PRECISION_HALF, .map_size = 64},
 };

@@ -63,6 +63,9 @@ static uint32_t lights_of(struct rig *rig, enum sm_sampling sampling)
 		return stats.sparse_lights;
 	case SM_SAMPLING_DEFERRED:
 		return stats.deferred_lights;
+	case SM_SAMPLING_DEFERRED_SPARSE:
+		return stats.deferred_lights < stats.sparse_lights ? stats.deferred_lights
+								   : stats.sparse_lights;
 	default:
 		return stats.lights - stats.sparse_lights - stats.deferred_lights;
 	}
@@ -87,14 +90,17 @@ static void what_is_between_points_is_as_if_found(void **state)
 {
 	struct rig *rig = *state;
 	static const struct sm_light_desc *const lights[] = {&lamp, &sun};
+	static const enum sm_sampling sparse[] = {SM_SAMPLING_SPARSE, SM_SAMPLING_DEFERRED_SPARSE};
 	fill_scene(rig);
 	uint32_t light = parts_add_light(rig->scene, &lamp);
 	for (size_t i = 0; i < sizeof(lights) / sizeof(lights[0]); i++) {
 		assert_true(sm_scene_set_light(rig->scene, light, lights[i], NULL));
-		struct visibility_change change = change_of(rig, SM_SAMPLING_SPARSE, WIDTH, HEIGHT);
-		/* Some pixels were interpolated. */
-		assert_true(change.differing > 300);
-		assert_true(change.mean < 0.0005 && change.off < 0.003);
+		for (size_t j = 0; j < sizeof(sparse) / sizeof(sparse[0]); j++) {
+			struct visibility_change change = change_of(rig, sparse[j], WIDTH, HEIGHT);
+			/* Some pixels were interpolated. */
+			assert_true(change.differing > 300);
+			assert_true(change.mean < 0.0005 && change.off < 0.003);
+		}
 	}
 }
 
@@ -108,6 +114,8 @@ static void pictures_may_be_of_any_size(void **state)
 		const uint32_t *size = sizes[i];
 		assert_true(change_of(rig, SM_SAMPLING_SPARSE, size[0], size[1]).mean < 0.005);
 		assert_true(change_of(rig, SM_SAMPLING_DEFERRED, size[0], size[1]).mean < 0.0001);
+		assert_true(
+			change_of(rig, SM_SAMPLING_DEFERRED_SPARSE, size[0], size[1]).mean < 0.005);
 	}
 }
 
@@ -183,6 +191,44 @@ static void many_small_triangles_are_deferred(void **state)
 	assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED), 0);
 	visibility_finish(&small);
 	visibility_finish(&large);
+}
+
+/* Many blocks, each before a wide part of the ground. */
+static void fill_densely(struct rig *rig)
+{
+	uint32_t cube = parts_add_cube(rig->scene);
+	for (int i = 0; i < 400; i++)
+		parts_add_object(rig->scene, cube, PART_BOTH,
+			&(struct pose){{0.02f, 0.02f, 0.02f}, 7.0f * (float)i,
+				{0.06f * (float)(i % 20) - 1, 0.6f, 0.06f * (float)(i / 20) - 1}});
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
+}
+
+static void set_radius(struct rig *rig, float radius)
+{
+	struct sm_light_desc light = lamp;
+	light.radius = radius;
+	assert_true(sm_scene_set_light(rig->scene, 0, &light, NULL));
+}
+
+/* And their pixels found between points, whatever their triangles. */
+static void long_lists_are_deferred(void **state)
+{
+	struct rig *rig = *state;
+	fill_densely(rig);
+	parts_add_light(rig->scene, &lamp);
+	set_radius(rig, 0.05f);
+	struct visibility brief = draw(rig, SM_SAMPLING_DEFAULT, WIDTH, HEIGHT);
+	assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED), 0);
+	set_radius(rig, 1);
+	struct visibility wide = draw(rig, SM_SAMPLING_DEFAULT, WIDTH, HEIGHT);
+	assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED_SPARSE), 1);
+	visibility_finish(&brief);
+	visibility_finish(&wide);
+	struct visibility_change change =
+		change_of(rig, SM_SAMPLING_DEFERRED_SPARSE, WIDTH, HEIGHT);
+	assert_true(change.differing > 300 && change.mean < 0.005);
 }
 
 static bool is_sparse(struct rig *rig, const struct canvas *canvas, float radius, bool alone)
@@ -353,11 +399,16 @@ static void several_lights_add_up(void **state)
 		use(rig, SM_SAMPLING_DEFERRED);
 		uint8_t *deferred = draw_picture(rig, cases[i].format, cases[i].samples);
 		assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED), 2);
+		use(rig, SM_SAMPLING_DEFERRED_SPARSE);
+		uint8_t *both = draw_picture(rig, cases[i].format, cases[i].samples);
+		assert_int_equal(lights_of(rig, SM_SAMPLING_DEFERRED_SPARSE), 2);
+		assert_alike(deferred, both, cases[i].name);
 		if (cases[i].samples == 1)
 			assert_alike(dense, deferred, cases[i].name);
 		free(dense);
 		free(sparse);
 		free(deferred);
+		free(both);
 	}
 }
 
@@ -383,6 +434,7 @@ int main(void)
 		rig_test(samples_of_a_pixel_find_their_surface),
 		rig_test(what_was_found_goes_with_its_receivers),
 		rig_test(many_small_triangles_are_deferred),
+		rig_test(long_lists_are_deferred),
 		rig_test(pictures_may_be_of_any_size),
 		rig_test(a_picture_alone_is_sampled_by_itself),
 		rig_test(a_point_has_nothing_between),
