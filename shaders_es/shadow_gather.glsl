@@ -275,8 +275,9 @@ struct eye {
 	vec2 at;
 	float depth;
 	vec2 tilt;
-	float radius; // of the disc, x or y, over the depth before the receiver
-	float most;   // square of what a point may be beside it that is before the disc, over that
+	float radius;  // of the disc, x or y, over the depth before the receiver
+	float inverse; // of that
+	float most;    // square of what a point may be beside it that is before the disc, over that
 #ifdef POINTS
 	float spacing; // to the next pixel
 #endif
@@ -290,6 +291,7 @@ eye eye_of(receiver r)
 	eye.depth = r.s.z * DEPTH_STEPS;
 	eye.tilt = r.tilt * (DEPTH_STEPS / steps);
 	eye.radius = disc_scale * (steps / DEPTH_STEPS);
+	eye.inverse = 1.0 / max(eye.radius, 1e-30);
 	eye.most = eye.radius * eye.radius / (r.shrink * r.shrink);
 #ifdef POINTS
 	eye.spacing = r.spacing * steps;
@@ -325,11 +327,11 @@ void add_edge(inout sums sum, edge edge, bool two, receiver r, eye eye)
 	// Edges that are hit have a length.
 	float shorten = inversesqrt(max(dot(along, along), 1e-37));
 	vec2 u = along * shorten, seen = faced(r, u);
-	float h = abs(edge.side) * r.shrink * shorten / max(eye.radius, 1e-30);
+	float h = abs(edge.side) * r.shrink * shorten * eye.inverse;
 	float half_chord = sqrt(max(1.0 - h * h, 0.0));
 	// Ends in the receiver's plane are infinitely far off.
-	float t0 = dot(edge.a, seen) / max(eye.radius * edge.before_a, 1e-30);
-	float t1 = dot(edge.b, seen) / max(eye.radius * edge.before_b, 1e-30);
+	float t0 = dot(edge.a, seen) * eye.inverse / max(edge.before_a, 1e-30);
+	float t1 = dot(edge.b, seen) * eye.inverse / max(edge.before_b, 1e-30);
 	t0 = edge.before_a > 0.0 ? max(t0, -half_chord) : -half_chord;
 	t1 = edge.before_b > 0.0 ? min(t1, half_chord) : half_chord;
 	bool before = h < 1.0 && t0 < t1;
