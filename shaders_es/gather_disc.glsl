@@ -78,9 +78,13 @@ float bits_of(uvec2 v)
 	return float((v.x + v.y) * 0x01010101u >> 24);
 }
 
+// How edges that border on other blockers count against those that border on what is not covered.
+const float INNER_EDGES = 1.5;
+
 // The share of the disc that the union of all blockers covers, of which `sum` is the sum. The samples
 // tell what is covered twice; what they are off by along edges is known from the sum, and counts as
-// far as edges border on what is not covered, not on other blockers.
+// far as edges border on what is not covered, not on other blockers: edges grow with the roots of
+// what they enclose.
 float covered_share(counters c, float sum)
 {
 	uvec2 some = c.ones | c.twos | c.fours | c.eights;
@@ -89,8 +93,8 @@ float covered_share(counters c, float sum)
 	float total = bits_of(c.ones) + 2.0 * bits_of(c.twos) + 4.0 * bits_of(c.fours) +
 		8.0 * bits_of(c.eights) - 16.0 * bits_of(c.sixteens);
 	float covered = bits_of(positive), twice = bits_of(several);
-	float open = SAMPLES - covered;
+	float outer = sqrt(SAMPLES - covered), inner = INNER_EDGES * sqrt(twice);
 	// Without any that are covered twice it is the sum.
-	float exposed = twice > 0.0 ? open / (open + twice) : 1.0;
+	float exposed = twice > 0.0 ? outer / (outer + inner) : 1.0;
 	return covered / SAMPLES + (sum - total / SAMPLES) * exposed;
 }

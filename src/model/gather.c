@@ -482,8 +482,12 @@ static void walk(struct sums *sums, const struct gather *gather, const struct ey
 	}
 }
 
+/* How edges that border on other blockers count against those that border on what is free. */
+#define INNER_EDGES 1.5
+
 /* Of all blockers together: the share of the samples that any covers, and what the samples missed
- * of the edges as far as those are not hidden in other blockers. */
+ * of the edges as far as those are not hidden in other blockers: edges grow with the roots of what
+ * they enclose. */
 static double covered(const struct sums *sums)
 {
 	int any = 0, more = 0, sum = 0;
@@ -493,9 +497,9 @@ static double covered(const struct sums *sums)
 		more += sheets > 1 || sheets < 0;
 		sum += sheets;
 	}
-	double free = DISC_MASK_SAMPLES - any;
+	double outer = sqrt(DISC_MASK_SAMPLES - any), inner = INNER_EDGES * sqrt(more);
 	double missed = sums->winding - sums->behind - (double)sum / DISC_MASK_SAMPLES;
-	double exposed = more > 0 ? free / (free + more) : 1.0;
+	double exposed = more > 0 ? outer / (outer + inner) : 1.0;
 	return any / (double)DISC_MASK_SAMPLES + missed * exposed;
 }
 
