@@ -10,7 +10,7 @@
 
 /** Of the table of half planes. */
 #define DISC_MASK_ANGLES 128
-#define DISC_MASK_DISTANCES 32
+#define DISC_MASK_DISTANCES 64
 
 /** Where sample i of DISC_MASK_SAMPLES is. */
 void disc_mask_sample(int i, double point[2]);
