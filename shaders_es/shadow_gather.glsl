@@ -478,8 +478,10 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end)
 		}
 		edge edge = edge_of(texel, eye);
 		bool two = (texel.w & 1u) != 0u, hit = may_hit(edge, eye);
+		// Ways do not count a grazing triangle's.
+		int sheets = two ? 2 : 1 - int(texel.y & 1u);
 		if (plays)
-			pass_edge(sum, edge, crossing_of(edge, eye, way), two ? 2 : 1, from);
+			pass_edge(sum, edge, crossing_of(edge, eye, way), sheets, from);
 		if (plays && hit)
 			add_edge(sum, edge, two, r, eye);
 		if (i >= end)

@@ -477,7 +477,7 @@ static void walk(struct sums *sums, const struct gather *gather, const struct ey
 			int sheets = (int)stretch.vertices[k].sheets;
 			cross_edge(sums, gather, eye, origin, &a, &b, sheets);
 			if (find_chord(&chord, eye, &a, &b))
-				add_chord(sums, gather, &chord, sheets);
+				add_chord(sums, gather, &chord, sheets > 0 ? sheets : 1);
 		}
 	}
 }

@@ -6,6 +6,9 @@
 
 #define NONE UINT32_MAX
 
+/* Of a caster that has more, each hides too little. */
+#define GRAZING_TRIANGLES_MAX 1024
+
 /* On the screen, in steps of the raster grid, but between them. */
 struct screen_point {
 	double x, y, depth;
@@ -174,6 +177,51 @@ static bool follow_all(const struct walk *walk, size_t edge_count, size_t vertex
 	return true;
 }
 
+/* Whether the plane of a triangle cuts the light's disc, however that is turned. */
+static bool is_grazing(const struct caster_view *view, const uint32_t corners[3])
+{
+	vec3 at[3], sides[2], normal;
+	for (int k = 0; k < 3; k++)
+		glm_mat4_mulv3((vec4 *)view->to_light, (float *)view->caster->positions[corners[k]],
+			1.0f, at[k]);
+	glm_vec3_sub(at[1], at[0], sides[0]);
+	glm_vec3_sub(at[2], at[0], sides[1]);
+	glm_vec3_cross(sides[0], sides[1], normal);
+	float length = glm_vec3_norm(normal);
+	float off = view->parallel ? normal[2] : glm_vec3_dot(normal, at[0]);
+	return length > 0.0f && fabsf(off) < view->disc * length;
+}
+
+/* reversed: from its last corner to its first. */
+static bool append_triangle(const struct walk *walk, const uint32_t corners[3], bool reversed)
+{
+	struct screen_point points[3];
+	for (int k = 0; k < 3; k++) {
+		points[k] = project(walk, corners[reversed ? 2 - k : k]);
+		if (!is_within(&points[k]))
+			return true;
+	}
+	for (uint32_t k = 0; k < 3; k++)
+		if (!append(walk->chains, &points[k], CHAIN_GRAZING + k))
+			return false;
+	return append(walk->chains, &points[0], 0);
+}
+
+/* Those of closed parts. One that faces the light's centre is taken away where it counts. */
+static bool append_grazing(const struct walk *walk)
+{
+	const struct caster_view *view = walk->view;
+	size_t count = view->rule.one_sided;
+	for (size_t t = 0; t < count && count <= GRAZING_TRIANGLES_MAX; t++) {
+		const uint32_t *corners = &view->caster->indices[3 * t];
+		bool faces = view->facing[t / EDGE_BLOCK] >> t % EDGE_BLOCK & 1;
+		if (is_grazing(view, corners) &&
+			!append_triangle(walk, corners, faces != view->rule.mirrored))
+			return false;
+	}
+	return true;
+}
+
 /* Fills chains->edges; returns false when out of memory. */
 static bool find_edges(struct edge_chains *chains, const struct caster_view *view, size_t *count)
 {
@@ -204,6 +252,9 @@ bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
 	const struct mesh *mesh = &scene->meshes[object->mesh];
 	view->caster = &mesh->caster;
 	glm_mat4_mul((vec4 *)frame->world_to_clip, (vec4 *)object->transform, view->to_clip);
+	glm_mat4_mul((vec4 *)frame->world_to_light, (vec4 *)object->transform, view->to_light);
+	view->parallel = frame->parallel;
+	view->disc = frame->disc;
 	view->rule = mesh_sheet_rule(mesh, (vec4 *)object->transform, view->to_clip);
 	view->cut = !mesh_beyond_near(mesh, view->to_clip);
 	if (!array_reserve((void **)&chains->facing, &chains->facing_capacity,
@@ -226,7 +277,8 @@ bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view,
 		return false;
 	struct walk walk = {chains, view, chains->edges, NULL, screen};
 	if (!view->cut)
-		return follow_all(&walk, edge_count, view->caster->vertex_count);
+		return follow_all(&walk, edge_count, view->caster->vertex_count) &&
+		       append_grazing(&walk);
 	if (!edge_clip_near(&chains->clip, view->caster, view->to_clip, view->facing, chains->back,
 		    view->rule.mirrored, chains->edges, edge_count))
 		return false;

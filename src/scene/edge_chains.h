@@ -14,8 +14,19 @@ struct chain_point {
 	int32_t x, y;    /* within CHAIN_LIMIT */
 	float depth;     /* window depth, in [0, CHAIN_DEPTH_MAX] */
 	uint32_t sheets; /* on the left of the edge that leads to the point after, which it is the
-			    boundary of; 0: the chain ends */
+			    boundary of; 0: the chain ends. Or CHAIN_GRAZING + k: the edge leads
+			    from corner k of a grazing triangle */
 };
+
+/** Of edges of triangles whose planes cut the light's disc, which show one side to its centre and
+ *  the other to a part of it. Each is a chain of three edges: what is missing, as a sheet on their
+ *  left, where a receiver is on the same side of its plane as the centre is. */
+#define CHAIN_GRAZING 4u
+
+static inline bool chain_is_grazing(const struct chain_point *edge)
+{
+	return edge->sheets >= CHAIN_GRAZING;
+}
 
 /** What is farther off is moved there, which changes nothing on the screen. */
 #define CHAIN_LIMIT (1 << 24)
@@ -26,7 +37,9 @@ struct chain_point {
 struct caster_view {
 	const struct caster *caster;
 	vec4 light; /* as facing_find() takes it */
-	mat4 to_clip;
+	mat4 to_clip, to_light;
+	bool parallel;
+	float disc; /* radius of the light, as struct light_frame has it */
 	struct sheet_rule rule;
 	bool cut; /* by the near plane, perhaps; then all triangles count on both sides */
 	const uint64_t *facing; /* of its triangles */

@@ -18,6 +18,14 @@
  * nearer concerns everything. */
 #define TURN_MAX 0.75f
 
+/* Of the disc's area, what a grazing triangle hides at least; and how much less deep than its plane
+ * receivers are where it counts. */
+#define GRAZING_SHARE (1.0 / 64.0)
+#define GRAZING_DEPTH (32.0 / 16777216.0)
+
+/* Halvings of the depths among which one is sought. */
+#define LIMIT_STEPS 12
+
 /* The depth of such an edge. */
 #define AT_THE_LIGHT (-1e6f)
 
@@ -100,6 +108,8 @@ bool edge_cover_init(struct edge_cover *cover, const struct tile_depths *depths,
 		    (void **)&cover->margin, &cover->margin_capacity, count, sizeof(float)) ||
 		!array_reserve(
 			(void **)&cover->base, &cover->base_capacity, count, sizeof(float)) ||
+		!array_reserve((void **)&cover->grazing.found, &cover->grazing.capacity, count,
+			sizeof(uint16_t)) ||
 		!array_reserve((void **)&cover->rate, &cover->rate_capacity, count, sizeof(float)))
 		return false;
 	float per_texel = (float)tiles / (float)map_size;
@@ -109,6 +119,9 @@ bool edge_cover_init(struct edge_cover *cover, const struct tile_depths *depths,
 	cover->rate_max = 0.0f;
 	cover->deepest_max = 0.0f;
 	struct spread spread = spread_of(frame, tiles);
+	cover->deepest = depths->deepest;
+	cover->grazing.corners = NULL;
+	cover->scale = spread.scale;
 	cover->turn_max = turn_at(&spread, 2.0f * spread.slope * spread.slope);
 	cover->pole = frame->pole;
 	for (uint32_t row = 0; row < tiles; row++)
@@ -254,24 +267,158 @@ static struct piece piece_of(const struct edge_cover *cover, const float a[3], c
 	return piece;
 }
 
-size_t edge_cover_find(struct edge_cover *cover, const struct chain_point *a,
-	const struct chain_point *b, uint16_t *found)
+/* Marks the tiles that an edge is near enough to. */
+static void cover_edge(struct edge_cover *cover, const struct chain_point *a,
+	const struct chain_point *b, int *bottom, int *top)
 {
 	float from[3] = {(float)a->x * cover->per_step, (float)a->y * cover->per_step, a->depth};
 	float to[3] = {(float)b->x * cover->per_step, (float)b->y * cover->per_step, b->depth};
 	/* A reach that changes by less than a tile is one. */
 	float change = cover->rate_max * fabsf(to[2] - from[2]);
 	int pieces = (int)smaller(1.0f + change, PIECES_MAX);
-	int bottom = (int)cover->tiles, top = 0;
 	float start[3], end[3];
 	memcpy(start, from, sizeof(start));
 	for (int i = 1; i <= pieces; i++) {
 		glm_vec3_lerp(from, to, (float)i / (float)pieces, end);
 		struct piece piece = piece_of(cover, start, i == pieces ? to : end);
-		cover_piece(cover, &piece, &bottom, &top);
+		cover_piece(cover, &piece, bottom, top);
 		memcpy(start, end, sizeof(start));
 	}
-	return take_marks(cover, bottom, top, found);
+}
+
+/* A grazing triangle on the screen: x and y in tiles, and depth; and its plane's slopes. */
+struct grazing {
+	double at[3][3];
+	double slope[2];
+};
+
+static double doubled_area(const double a[2], const double b[2], const double c[2])
+{
+	return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* False where its plane cannot be told: nothing is seen of it. */
+static bool find_grazing(
+	const struct edge_cover *cover, const struct chain_point *corners, struct grazing *grazing)
+{
+	double sides[2][3];
+	for (int k = 0; k < 3; k++) {
+		grazing->at[k][0] = corners[k].x * (double)cover->per_step;
+		grazing->at[k][1] = corners[k].y * (double)cover->per_step;
+		grazing->at[k][2] = corners[k].depth;
+	}
+	for (int i = 0; i < 3; i++) {
+		sides[0][i] = grazing->at[1][i] - grazing->at[0][i];
+		sides[1][i] = grazing->at[2][i] - grazing->at[0][i];
+	}
+	double area = sides[0][0] * sides[1][1] - sides[0][1] * sides[1][0];
+	if (area == 0.0)
+		return false;
+	grazing->slope[0] = (sides[0][2] * sides[1][1] - sides[0][1] * sides[1][2]) / area;
+	grazing->slope[1] = (sides[0][0] * sides[1][2] - sides[0][2] * sides[1][0]) / area;
+	return true;
+}
+
+/* Whether all receivers in a tile are before the plane. */
+static bool is_after(const struct edge_cover *cover, const struct grazing *grazing, uint32_t tile)
+{
+	const double *slope = grazing->slope, *at = grazing->at[0];
+	double x = tile % cover->tiles + 0.5 - at[0], y = tile / cover->tiles + 0.5 - at[1];
+	double around = 0.5 + (double)cover->per_step;
+	double least =
+		at[2] + slope[0] * x + slope[1] * y - around * (fabs(slope[0]) + fabs(slope[1]));
+	return least > (double)cover->deepest[tile] + GRAZING_DEPTH;
+}
+
+/* Whether it may hide its share from a receiver at a depth behind its middle: one that has it
+ * before rim of its disc, from where its plane is seen at the greatest angle. */
+static bool shows(const struct edge_cover *cover, const struct grazing *grazing, double depth)
+{
+	double middle[3] = {0.0, 0.0, 0.0}, most = 0.0, seen[3][2];
+	for (int k = 0; k < 3; k++)
+		for (int i = 0; i < 3; i++)
+			middle[i] += grazing->at[k][i] / 3.0;
+	double steep = hypot(grazing->slope[0], grazing->slope[1]);
+	for (int side = -1; side <= 1; side += 2) {
+		for (int k = 0; k < 3; k++) {
+			double before = (double)cover->scale * (depth - grazing->at[k][2]);
+			if (before <= 0.0)
+				return true;
+			for (int i = 0; i < 2; i++) {
+				double aside = side * (double)cover->scale * (depth - middle[2]) *
+					       grazing->slope[i] / steep;
+				seen[k][i] = (grazing->at[k][i] - middle[i] - aside) / before;
+			}
+		}
+		most = fmax(most, fabs(doubled_area(seen[0], seen[1], seen[2])));
+	}
+	return 0.5 * most >= GLM_PI * GRAZING_SHARE;
+}
+
+/* The depth of receivers from which on it shows no more. */
+static double depth_limit(const struct edge_cover *cover, const struct grazing *grazing)
+{
+	double near = 0.0, far = 1.0;
+	for (int k = 0; k < 3; k++)
+		near = fmax(near, grazing->at[k][2]);
+	if (near >= far || shows(cover, grazing, far))
+		return far;
+	for (int i = 0; i < LIMIT_STEPS; i++) {
+		double middle = 0.5 * (near + far);
+		*(shows(cover, grazing, middle) ? &near : &far) = middle;
+	}
+	return far;
+}
+
+/* The one that is longest on the screen, where the triangle is narrow: the others are as near. */
+static int longest_side(const struct chain_point *corners)
+{
+	double longest = -1.0;
+	int found = 0;
+	for (int k = 0; k < 3; k++) {
+		double length = hypot((double)corners[k + 1].x - corners[k].x,
+			(double)corners[k + 1].y - corners[k].y);
+		found = length > longest ? k : found;
+		longest = fmax(longest, length);
+	}
+	return found;
+}
+
+/* Has cover->grazing be of a triangle. */
+static void find_grazing_tiles(struct edge_cover *cover, const struct chain_point *corners)
+{
+	int bottom = (int)cover->tiles, top = 0, side = longest_side(corners);
+	uint16_t *found = cover->grazing.found;
+	float deepest_max = cover->deepest_max;
+	struct grazing grazing;
+	cover->grazing.corners = corners;
+	cover->grazing.count = 0;
+	if (!find_grazing(cover, corners, &grazing))
+		return;
+	double limit = depth_limit(cover, &grazing);
+	cover->deepest_max = smaller(deepest_max, (float)limit);
+	cover_edge(cover, &corners[side], &corners[side + 1], &bottom, &top);
+	cover->deepest_max = deepest_max;
+	size_t count = take_marks(cover, bottom, top, found);
+	for (size_t i = 0; i < count; i++)
+		if ((double)cover->deepest[found[i]] <= limit &&
+			is_after(cover, &grazing, found[i]))
+			found[cover->grazing.count++] = found[i];
+}
+
+size_t edge_cover_find(struct edge_cover *cover, const struct chain_point *a,
+	const struct chain_point *b, uint16_t *found)
+{
+	int bottom = (int)cover->tiles, top = 0;
+	if (!chain_is_grazing(a)) {
+		cover_edge(cover, a, b, &bottom, &top);
+		return take_marks(cover, bottom, top, found);
+	}
+	const struct chain_point *corners = a - (a->sheets - CHAIN_GRAZING);
+	if (cover->grazing.corners != corners)
+		find_grazing_tiles(cover, corners);
+	memcpy(found, cover->grazing.found, cover->grazing.count * sizeof(*found));
+	return cover->grazing.count;
 }
 
 void edge_cover_finish(struct edge_cover *cover)
@@ -279,11 +426,13 @@ void edge_cover_finish(struct edge_cover *cover)
 	free(cover->margin);
 	free(cover->base);
 	free(cover->rate);
+	free(cover->grazing.found);
 	*cover = (struct edge_cover){0};
 }
 
 size_t edge_cover_bytes(const struct edge_cover *cover)
 {
 	return (cover->margin_capacity + cover->base_capacity + cover->rate_capacity) *
-	       sizeof(float);
+		       sizeof(float) +
+	       cover->grazing.capacity * sizeof(uint16_t);
 }

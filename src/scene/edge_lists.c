@@ -291,7 +291,8 @@ static void write_lists(
 		const struct chain_point *edge = &chains->points[i];
 		uint32_t added = added_vertices(lists, i);
 		for (uint32_t k = 2 - added; k < 2 && added > 0; k++)
-			lists->vertices[vertex++] = vertex_of(&edge[k], screen, edge->sheets);
+			lists->vertices[vertex++] = vertex_of(
+				&edge[k], screen, chain_is_grazing(edge) ? 0 : edge->sheets);
 		if (added == 0)
 			continue;
 		lists->texels[vertex - 2] = edge_texel_of(edge, screen);

@@ -9,7 +9,8 @@
 struct edge_vertex {
 	float x, y;   /* window coordinates of the light's screen, on the raster grid */
 	float depth;  /* window depth */
-	float sheets; /* that end at the edge which leads here from the vertex before */
+	float sheets; /* that end at the edge which leads here from the vertex before; 0: it is of
+			 a grazing triangle, one sheet, but none that ways count */
 };
 
 /** Most edges of a run. */

@@ -80,6 +80,7 @@ struct edge_texel edge_texel_of(const struct chain_point edge[2], uint32_t scree
 		clip(&from, &to);
 	write_end(&texel.words[0], &from);
 	write_end(&texel.words[2], &to);
-	texel.words[3] |= edge[0].sheets > 1;
+	texel.words[1] |= chain_is_grazing(edge);
+	texel.words[3] |= edge[0].sheets > 1 && !chain_is_grazing(edge);
 	return texel;
 }

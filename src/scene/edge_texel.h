@@ -15,7 +15,8 @@
  * An edge as a texture holds it, RGBA32UI: x and y of its start, x and y of its end, each in steps
  * of the raster grid from the middle of the light's screen, a signed number in the upper bits of a
  * word. Below are the upper and lower half of the start's window depth, and of the end's. The
- * lowest bit of all is set where two sheets end at the edge.
+ * lowest bit of all is set where two sheets end at the edge, and that of the start's depth where it
+ * is a grazing triangle's.
  */
 struct edge_texel {
 	uint32_t words[4];

@@ -49,7 +49,7 @@ void edge_winding_find(
 	memset(winding, 0, (size_t)tiles * tiles * sizeof(*winding));
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *a = &chains->points[i], *b = a + 1;
-		if (a->sheets > 0 && a->y != b->y)
+		if (a->sheets > 0 && !chain_is_grazing(a) && a->y != b->y)
 			add_edge(a, b, screen, tiles, winding);
 	}
 	for (size_t row = 0; row < tiles; row++)

@@ -266,6 +266,35 @@ static void assert_nothing_listed(const struct world *world)
 			    world->grid.of[t].nearest == 2.0f);
 }
 
+/* The sides of a cylinder on a floor, some of which show the light's centre one side and a part of
+ * its disc the other; those of a mesh of many triangles are left out. */
+static void triangles_that_the_light_grazes_are_listed_beside_them(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *source;
+		bool any;
+	} rows[] = {{"builtin:cylinder", true}, {"builtin:urchin:2000", false}};
+	static const char *const wide[] = {"light.radius=0.5"};
+	for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+		struct world world;
+		size_t grazing = 0, listed = 0;
+		world_load(&world, rows[i].source, wide, 1);
+		world_find(&world, &(struct edge_grid_options){.tiles = 64,
+					   .map_size = MAP_SIZE,
+					   .subpixel_bits = SUBPIXEL_BITS,
+					   .room = ROOM});
+		for (size_t k = 0; k < world.grid.chains.count; k++)
+			grazing += chain_is_grazing(&world.grid.chains.points[k]);
+		for (size_t k = 1; k < world.grid.vertex_count; k++)
+			listed += world.grid.vertices[k].sheets == 0.0f;
+		assert_int_equal(grazing % 3, 0);
+		assert_int_equal(grazing > 0, rows[i].any);
+		assert_int_equal(listed > 0, rows[i].any);
+		world_finish(&world);
+	}
+}
+
 static void without_casters_or_receivers_nothing_is_listed(void **state)
 {
 	(void)state;
@@ -411,6 +440,7 @@ int main(void)
 		cmocka_unit_test(fewer_tiles_and_then_fewer_edges_where_lists_grow_too_long),
 		cmocka_unit_test(short_lists_have_their_own_edges),
 		cmocka_unit_test(finer_edges_round_to_the_raster_grid),
+		cmocka_unit_test(triangles_that_the_light_grazes_are_listed_beside_them),
 		cmocka_unit_test(without_casters_or_receivers_nothing_is_listed),
 		cmocka_unit_test(a_point_light_lists_edges_where_they_are),
 		cmocka_unit_test(everything_is_finite),

@@ -37,9 +37,10 @@ static void assert_start_holds(
 
 static struct edge_texel texel_of(const struct edge_vertex *edge)
 {
+	uint32_t sheets = edge[1].sheets > 0.0f ? (uint32_t)edge[1].sheets : CHAIN_GRAZING;
 	const struct chain_point points[2] = {
 		{(int32_t)(edge[0].x * SCREEN), (int32_t)(edge[0].y * SCREEN), edge[0].depth,
-			(uint32_t)edge[1].sheets},
+			sheets},
 		{(int32_t)(edge[1].x * SCREEN), (int32_t)(edge[1].y * SCREEN), edge[1].depth, 0},
 	};
 	return edge_texel_of(points, SCREEN);
@@ -229,13 +230,48 @@ static bool pick_receiver(const struct world *world, const struct object *object
 	return is_off_the_light(world, receiver->depth);
 }
 
+/* Whether the receiver is on the nearer side of the triangle's plane. */
+static bool is_before_plane(const struct receiver *receiver, const struct edge_vertex corners[3])
+{
+	const struct edge_vertex *a = &corners[0], *b = &corners[1], *c = &corners[2];
+	double ux = (double)b->x - a->x, uy = (double)b->y - a->y;
+	double vx = (double)c->x - a->x, vy = (double)c->y - a->y;
+	double uz = (double)b->depth - a->depth, vz = (double)c->depth - a->depth;
+	double x = receiver->x - a->x, y = receiver->y - a->y;
+	double over = x * (uz * vy - uy * vz) + y * (ux * vz - uz * vx);
+	return receiver->depth < a->depth + over / (ux * vy - uy * vx);
+}
+
+/* Grazing triangles are listed whole, and only before receivers where they count. Returns how many
+ * the receiver's tile has. */
+static int count_grazing(
+	const struct world *world, const struct receiver *receiver, const char *what)
+{
+	const struct edge_grid *grid = &world->grid;
+	int edges = 0;
+	for (uint32_t i = 0; i < edge_tile_stretches(grid, &grid->of[receiver->tile]); i++) {
+		struct edge_stretch stretch = edge_tile_stretch(grid, &grid->of[receiver->tile], i);
+		for (uint32_t k = 1; k <= stretch.edges; k++) {
+			const struct edge_vertex *at = &stretch.vertices[k];
+			edges += at->sheets == 0.0f;
+			bool whole = k >= 3 && at->sheets == 0.0f && at[-1].sheets == 0.0f &&
+				     at[-2].sheets == 0.0f && same_place(at, at - 3);
+			if (whole && !is_before_plane(receiver, at - 2))
+				fail_msg("%s: (%g, %g, %g) is behind a triangle", what, receiver->x,
+					receiver->y, receiver->depth);
+		}
+	}
+	assert_int_equal(edges % 3, 0);
+	return edges / 3;
+}
+
 static void assert_lists_all(
 	const struct world *world, const struct receiver *receiver, const char *what)
 {
 	const struct edge_chains *chains = &world->grid.chains;
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *edge = &chains->points[i];
-		if (edge->sheets == 0 || !concerns(world, receiver, edge))
+		if (edge->sheets == 0 || chain_is_grazing(edge) || !concerns(world, receiver, edge))
 			continue;
 		if (times_listed(&world->grid, receiver->tile, edge) == 0)
 			fail_msg("%s: edge %zu concerns (%g, %g, %g) and is not listed in tile %u",
@@ -262,6 +298,7 @@ void assert_receivers_find_their_edges(const struct world *world, const char *wh
 			continue;
 		asked++;
 		assert_lists_all(world, &receiver, what);
+		count_grazing(world, &receiver, what);
 		/* None is deeper than its tile's deepest. */
 		assert_true(
 			world->grid.depths.deepest[receiver.tile] >= (float)receiver.depth - 1e-5f);
@@ -274,7 +311,11 @@ static void assert_sheets_are_not_behind_farthest(const struct world *world, con
 {
 	const struct edge_grid *grid = &world->grid;
 	for (size_t i = 0; i < grid->chains.count; i++) {
-		struct edge_vertex at = vertex_of(&grid->chains.points[i]);
+		const struct chain_point *point = &grid->chains.points[i];
+		struct edge_vertex at = vertex_of(point);
+		/* What shows the light its back is no sheet. */
+		if (chain_is_grazing(point) || (i > 0 && chain_is_grazing(point - 1)))
+			continue;
 		if (!(at.x >= 0.0f && at.x < 1.0f && at.y >= 0.0f && at.y < 1.0f))
 			continue;
 		uint32_t t = (uint32_t)(at.y * (float)grid->tiles) * grid->tiles +
