@@ -210,6 +210,24 @@ static void move_vertices(struct mesh *mesh, size_t new_count, const uint32_t *r
 	mesh->vertex_count = new_count;
 }
 
+/* Leaves out triangles between fewer than three vertices, so that what is found of a mesh, such as
+ * how deep its parts lie, is the same without them; none, if there are no others. */
+static void drop_empty_triangles(struct mesh *mesh)
+{
+	size_t kept = 0;
+	for (size_t i = 0; i < mesh->index_count; i += 3) {
+		const uint32_t *v = &mesh->indices[i];
+		if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
+			continue;
+		memmove(&mesh->indices[kept], v, 3 * sizeof(*v));
+		kept += 3;
+	}
+	if (kept == 0)
+		return;
+	mesh->empty_count = (mesh->index_count - kept) / 3;
+	mesh->index_count = kept;
+}
+
 /* Merges identical vertices, drops unused ones and orders what is left for the GPU. */
 static bool optimise(struct mesh *mesh)
 {
@@ -225,6 +243,7 @@ static bool optimise(struct mesh *mesh)
 		remap, mesh->indices, mesh->index_count, mesh->vertex_count, streams, 3);
 	move_vertices(mesh, count, remap);
 
+	drop_empty_triangles(mesh);
 	meshopt_optimizeVertexCache(
 		mesh->indices, mesh->indices, mesh->index_count, mesh->vertex_count);
 	count = meshopt_optimizeVertexFetchRemap(
@@ -235,6 +254,7 @@ static bool optimise(struct mesh *mesh)
 	mesh->normals = array_trim(mesh->normals, count, sizeof(*mesh->normals));
 	mesh->uvs = array_trim(mesh->uvs, count, sizeof(*mesh->uvs));
 	mesh->sources = array_trim(mesh->sources, count, sizeof(*mesh->sources));
+	mesh->indices = array_trim(mesh->indices, mesh->index_count, sizeof(*mesh->indices));
 	return true;
 }
 
@@ -266,9 +286,9 @@ static void count_up(struct mesh *mesh)
 {
 	const struct caster *caster = &mesh->caster;
 	mesh->stats = (struct sm_mesh_stats){
-		.triangles = mesh->index_count / 3,
+		.triangles = mesh->index_count / 3 + mesh->empty_count,
 		.repeated_triangles = caster->found.repeated,
-		.degenerate_triangles = caster->planes.degenerate,
+		.degenerate_triangles = caster->planes.degenerate + mesh->empty_count,
 		.vertices = mesh->vertex_count,
 		.welded_vertices = caster->vertex_count,
 		.edges = caster->found.edges.edges,
@@ -333,7 +353,7 @@ bool mesh_set_vertices(struct mesh *mesh, const float *positions, const float *n
 		return true;
 	find_box(mesh);
 	caster_move(&mesh->caster, (const float(*)[3])mesh->positions);
-	mesh->stats.degenerate_triangles = mesh->caster.planes.degenerate;
+	mesh->stats.degenerate_triangles = mesh->caster.planes.degenerate + mesh->empty_count;
 	return true;
 }
 

@@ -17,6 +17,7 @@ struct mesh {
 	size_t source_count;   /* vertices of the description */
 	size_t index_count;
 	uint32_t *indices;
+	size_t empty_count; /* triangles left out, between fewer than three vertices */
 
 	struct caster caster;
 	bool solid; /* back faces need not be drawn from outside the box */

@@ -316,7 +316,8 @@ static bool find_grazing(
 		return false;
 	grazing->slope[0] = (sides[0][2] * sides[1][1] - sides[0][1] * sides[1][2]) / area;
 	grazing->slope[1] = (sides[0][0] * sides[1][2] - sides[0][2] * sides[1][0]) / area;
-	return true;
+	/* Flat ones graze no light but by rounding. */
+	return grazing->slope[0] != 0.0 || grazing->slope[1] != 0.0;
 }
 
 /* Whether all receivers in a tile are before the plane. */
