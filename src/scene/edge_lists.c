@@ -342,33 +342,35 @@ static void sort_lists(struct edge_lists *lists, size_t tiles)
 	}
 }
 
-/* Puts edges behind those of a list that are no farther; returns the list's end. */
-static struct edge_texel *insert_edges(const struct edge_texel *list, struct edge_texel *end,
-	const struct edge_texel *edges, uint32_t count)
+/* Puts an edge behind those of a list of `count` that are no farther. */
+static void insert_edge(
+	struct edge_texel *list, uint32_t *nearest, size_t count, const struct edge_texel *edge)
 {
-	for (uint32_t i = 0; i < count; i++) {
-		uint32_t nearest = edge_texel_nearest(&edges[i]);
-		struct edge_texel *place = end++;
-		for (; place > list && edge_texel_nearest(place - 1) > nearest; place--)
-			*place = place[-1];
-		*place = edges[i];
+	uint32_t depth = edge_texel_nearest(edge);
+	size_t place = count;
+	for (; place > 0 && nearest[place - 1] > depth; place--) {
+		list[place] = list[place - 1];
+		nearest[place] = nearest[place - 1];
 	}
-	return end;
+	list[place] = *edge;
+	nearest[place] = depth;
 }
 
 /* Gives each list its own edges, those of its runs. There is room for them. */
 static void copy_lists(struct edge_lists *lists, size_t tiles)
 {
-	struct edge_texel *end = lists->copies;
+	size_t first = 0;
 	const struct edge_run *run = lists->runs;
 	for (size_t t = 0; t < tiles; t++) {
-		struct edge_texel *list = end;
-		lists->first_copy[t] = (uint32_t)(list - lists->copies);
+		size_t count = 0;
+		lists->first_copy[t] = (uint32_t)first;
 		for (; run < &lists->runs[lists->first[t + 1]]; run++)
-			end = insert_edges(list, end, &lists->texels[edge_run_first(run)],
-				edge_run_count(run));
+			for (uint32_t i = 0; i < edge_run_count(run); i++)
+				insert_edge(&lists->copies[first], &lists->nearest[first], count++,
+					&lists->texels[edge_run_first(run) + i]);
+		first += count;
 	}
-	lists->first_copy[tiles] = (uint32_t)(end - lists->copies);
+	lists->first_copy[tiles] = (uint32_t)first;
 }
 
 /* Edges of a list, in the mean, up to which a look at each is less than one at the boxes of runs,
@@ -397,7 +399,9 @@ static enum edge_lists_result make(
 		!array_reserve((void **)&lists->runs, &lists->run_capacity, lists->run_count + 1,
 			sizeof(*lists->runs)) ||
 		!array_reserve((void **)&lists->copies, &lists->copy_capacity,
-			lists->copy_count + 1, sizeof(*lists->copies)))
+			lists->copy_count + 1, sizeof(*lists->copies)) ||
+		!array_reserve((void **)&lists->nearest, &lists->nearest_capacity,
+			lists->copy_count + 1, sizeof(*lists->nearest)))
 		return EDGE_LISTS_NO_MEMORY;
 	write_lists(lists, chains, tiles, screen);
 	sort_lists(lists, tiles);
@@ -433,6 +437,7 @@ void edge_lists_finish(struct edge_lists *lists)
 	free(lists->vertices);
 	free(lists->texels);
 	free(lists->copies);
+	free(lists->nearest);
 	free(lists->runs);
 	free(lists->first);
 	free(lists->first_copy);
@@ -447,7 +452,8 @@ size_t edge_lists_bytes(const struct edge_lists *lists)
 	return lists->vertex_capacity * sizeof(*lists->vertices) +
 	       (lists->texel_capacity + lists->copy_capacity) * sizeof(*lists->texels) +
 	       lists->run_capacity * sizeof(*lists->runs) +
-	       (lists->first_capacity + lists->first_copy_capacity + lists->entry_end_capacity) *
+	       (lists->first_capacity + lists->first_copy_capacity + lists->entry_end_capacity +
+		       lists->nearest_capacity) *
 		       sizeof(uint32_t) +
 	       lists->end_capacity * sizeof(*lists->ends) +
 	       lists->entry_capacity * sizeof(*lists->entries);

@@ -56,9 +56,11 @@ struct edge_lists {
 	uint16_t *entries;     /* tiles of one edge after the other */
 	uint32_t *entry_ends;  /* of edges, by their first points */
 	struct list_end *ends; /* [tiles * tiles] */
+	uint32_t *nearest;     /* [copy_count]: depths of copies, as they are sorted */
 	size_t entry_count;
 	size_t vertex_capacity, texel_capacity, copy_capacity, run_capacity, first_capacity,
-		first_copy_capacity, entry_capacity, entry_end_capacity, end_capacity;
+		first_copy_capacity, entry_capacity, entry_end_capacity, end_capacity,
+		nearest_capacity;
 };
 
 /** What lists may have in all, each below 2^24: runs and the vertices of those, and if they are
