@@ -6,8 +6,8 @@
 
 #define NONE UINT32_MAX
 
-/* Of a caster that has more, each hides too little. */
-#define GRAZING_TRIANGLES_MAX 1024
+/* Of a caster that has more, each hides too little for what finding them takes. */
+#define GRAZING_TRIANGLES_MAX 512
 
 /* On the screen, in steps of the raster grid, but between them. */
 struct screen_point {
