@@ -153,9 +153,8 @@ void deferred_pass_end_frame(struct sm_renderer *renderer)
 	bool used = false;
 	for (size_t i = 0; i < renderer->light_capacity; i++) {
 		struct shadowed_light *light = &renderer->lights[i];
-		bool deferred = light->sampling == SM_SAMPLING_DEFERRED ||
-				light->sampling == SM_SAMPLING_DEFERRED_SPARSE;
-		light->deferred_idle = deferred ? 0 : light->deferred_idle + 1;
+		light->deferred_idle =
+			sampling_is_deferred(light->sampling) ? 0 : light->deferred_idle + 1;
 		if (light->deferred_idle == IDLE_FRAMES_MAX)
 			give_back(renderer, light);
 		used = used || light->found.width > 0;

@@ -41,16 +41,6 @@ static void set_pass_state(struct gl *gl, bool first)
 	}
 }
 
-static bool is_deferred(enum sm_sampling sampling)
-{
-	return sampling == SM_SAMPLING_DEFERRED || sampling == SM_SAMPLING_DEFERRED_SPARSE;
-}
-
-static bool is_sparse(enum sm_sampling sampling)
-{
-	return sampling == SM_SAMPLING_SPARSE || sampling == SM_SAMPLING_DEFERRED_SPARSE;
-}
-
 static void choose_light(struct surface_pass *pass, uint32_t index, struct shadowed_light *light)
 {
 	/* Whose space is that of the surfaces even so: rounding is the same then. */
@@ -58,7 +48,7 @@ static void choose_light(struct surface_pass *pass, uint32_t index, struct shado
 	pass->frame = &light->frame;
 	pass->shadow = light->left_out ? NULL : light->shadow;
 	pass->cells = light->sampling == SM_SAMPLING_SPARSE ? &light->cells : NULL;
-	pass->found = is_deferred(light->sampling) ? &light->found : NULL;
+	pass->found = sampling_is_deferred(light->sampling) ? &light->found : NULL;
 }
 
 static bool is_same(const struct points_key *a, const struct points_key *b)
@@ -74,7 +64,7 @@ static bool is_same(const struct points_key *a, const struct points_key *b)
 static bool has_receivers(const struct sm_renderer *renderer, const struct points_key *key)
 {
 	const struct points_key *received = &renderer->received;
-	return !is_deferred(key->sampling) ||
+	return !sampling_is_deferred(key->sampling) ||
 	       (received->light.scene == key->light.scene &&
 		       memcmp(received->light.anchor, key->light.anchor, sizeof(vec3)) == 0 &&
 		       objects_age_is_same(&received->objects, &key->objects) &&
@@ -90,8 +80,8 @@ static void choose_sampling(const struct surface_pass *view, struct shadowed_lig
 	light->sampling = technique->sampling != NULL ? technique->sampling(light->shadow->state,
 								view->scene, &light->frame, seen)
 						      : SM_SAMPLING_DENSE;
-	stats->sparse_lights += is_sparse(light->sampling);
-	stats->deferred_lights += is_deferred(light->sampling);
+	stats->sparse_lights += sampling_is_sparse(light->sampling);
+	stats->deferred_lights += sampling_is_deferred(light->sampling);
 }
 
 /* What is known of a light's visibility before its surfaces are drawn. That of an earlier frame
@@ -122,7 +112,7 @@ static bool draw_visibility(const struct surface_pass *view, uint32_t index,
 			     : deferred_pass_draw(&pass, light, error);
 	if (drawn)
 		light->points = key;
-	if (drawn && is_deferred(light->sampling))
+	if (drawn && sampling_is_deferred(light->sampling))
 		renderer->received = key;
 	return drawn;
 }

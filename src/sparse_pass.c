@@ -130,9 +130,8 @@ void sparse_pass_end_frame(struct sm_renderer *renderer)
 	bool used = false;
 	for (size_t i = 0; i < renderer->light_capacity; i++) {
 		struct shadowed_light *light = &renderer->lights[i];
-		bool sparse = light->sampling == SM_SAMPLING_SPARSE ||
-			      light->sampling == SM_SAMPLING_DEFERRED_SPARSE;
-		light->sparse_idle = sparse ? 0 : light->sparse_idle + 1;
+		light->sparse_idle =
+			sampling_is_sparse(light->sampling) ? 0 : light->sparse_idle + 1;
 		if (light->sparse_idle == IDLE_FRAMES_MAX)
 			give_back(renderer, light);
 		used = used || light->cells.width > 0;

@@ -346,8 +346,7 @@ static enum sm_sampling gather_sampling(void *state, const struct sm_scene *scen
 	gather->scene = scene->id;
 	if (gather->point)
 		return SM_SAMPLING_DENSE;
-	bool sparse = chosen == SM_SAMPLING_SPARSE || chosen == SM_SAMPLING_DEFERRED_SPARSE;
-	bool deferred = chosen == SM_SAMPLING_DEFERRED || chosen == SM_SAMPLING_DEFERRED_SPARSE;
+	bool sparse = sampling_is_sparse(chosen), deferred = sampling_is_deferred(chosen);
 	if (chosen == SM_SAMPLING_DEFAULT) {
 		sparse = gather->sparse;
 		deferred = small || gather->long_lists;

@@ -8,6 +8,18 @@
 #include "gles/gpu.h"
 #include "scene/object_watch.h"
 
+/** Whether visibility is found at points of the view first (src/sparse_pass.h). */
+static inline bool sampling_is_sparse(enum sm_sampling sampling)
+{
+	return sampling == SM_SAMPLING_SPARSE || sampling == SM_SAMPLING_DEFERRED_SPARSE;
+}
+
+/** Whether it is found once surfaces are known (src/deferred_pass.h). */
+static inline bool sampling_is_deferred(enum sm_sampling sampling)
+{
+	return sampling == SM_SAMPLING_DEFERRED || sampling == SM_SAMPLING_DEFERRED_SPARSE;
+}
+
 /** Fields of sm_shadow_options that not every technique uses. */
 enum technique_option {
 	OPTION_WIDTH = 1 << 0,
