@@ -66,6 +66,7 @@ typedef void(GL_APIENTRY *gl_texture_view)(GLuint texture, GLenum target, GLuint
 	X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
 	X(FENCESYNC, FenceSync) \
 	X(FINISH, Finish) \
+	X(FLUSH, Flush) \
 	X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
 	X(FRAMEBUFFERTEXTURELAYER, FramebufferTextureLayer) \
 	X(FRONTFACE, FrontFace) \

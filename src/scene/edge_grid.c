@@ -67,12 +67,20 @@ static size_t fill_tiles(struct edge_grid *grid)
 	return filled;
 }
 
-static bool find(struct edge_grid *grid, const struct sm_scene *scene,
+bool edge_grid_look(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct edge_grid_options *options)
 {
 	struct edge_raster raster = raster_of(options);
-	if (!edge_keep_find(&grid->keep, &grid->chains, &grid->depths, scene, frame, &raster) ||
-		!make_lists(grid, frame, options, raster.screen))
+	return edge_keep_look(&grid->keep, scene, frame, &raster);
+}
+
+static bool find(struct edge_grid *grid, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct edge_grid_options *options)
+{
+	uint32_t screen = raster_of(options).screen;
+	if ((!grid->keep.looked && !edge_grid_look(grid, scene, frame, options)) ||
+		!edge_keep_find(&grid->keep, &grid->chains, &grid->depths, scene, frame) ||
+		!make_lists(grid, frame, options, screen))
 		return false;
 	grid->tiles = grid->depths.tiles;
 	size_t tiles = (size_t)grid->tiles * grid->tiles;
@@ -80,7 +88,7 @@ static bool find(struct edge_grid *grid, const struct sm_scene *scene,
 		!array_reserve((void **)&grid->winding, &grid->winding_capacity, tiles,
 			sizeof(*grid->winding)))
 		return false;
-	edge_winding_find(&grid->chains, raster.screen, grid->tiles, grid->winding);
+	edge_winding_find(&grid->chains, screen, grid->tiles, grid->winding);
 	size_t filled = fill_tiles(grid);
 	grid->whole = grid->lists.whole;
 	grid->texels = grid->whole ? grid->lists.copies : grid->lists.texels;

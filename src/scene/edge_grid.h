@@ -100,6 +100,11 @@ static inline struct edge_stretch edge_tile_stretch(
 	return (struct edge_stretch){&grid->vertices[edge_run_first(run)], edge_run_count(run)};
 }
 
+/** Finds where casters show otherwise than in the search before, grid->keep.changed, as the search
+ *  that follows does if nobody has. False: out of memory. */
+bool edge_grid_look(struct edge_grid *grid, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct edge_grid_options *options);
+
 /** Finds the silhouettes of all casters as the light sees them, and lists them. Everything written
  *  is finite. False: out of memory. */
 bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,

@@ -2,6 +2,7 @@
 #include "scene/edge_keep.h"
 #include "base/array.h"
 #include "scene/light_reach.h"
+#include <assert.h>
 #include <stdlib.h>
 
 void edge_keep_finish(struct edge_keep *keep)
@@ -15,6 +16,7 @@ void edge_keep_finish(struct edge_keep *keep)
 void edge_keep_forget(struct edge_keep *keep)
 {
 	object_watch_forget(&keep->watch);
+	keep->looked = false;
 }
 
 static bool is_caster(const struct object *object)
@@ -29,7 +31,6 @@ struct search {
 	struct tile_depths *depths;
 	const struct sm_scene *scene;
 	const struct light_frame *frame;
-	size_t known;                     /* objects that parts are kept of */
 	struct screen_box cast, received; /* where depths are found anew */
 };
 
@@ -57,7 +58,8 @@ static void find_changes(struct search *search)
 		struct edge_part *part = &search->keep->parts[i];
 		if (!search->keep->watch.objects[i].changed)
 			continue;
-		struct screen_box changed = i < search->known ? part->reach : screen_box_none();
+		struct screen_box changed =
+			i < search->keep->known ? part->reach : screen_box_none();
 		part->reach = find_reach(search, object);
 		screen_box_add(&changed, &part->reach);
 		if (object->casts)
@@ -146,7 +148,7 @@ static bool add_receivers(struct search *search, bool casting)
 /* All of them, where nothing is known. */
 static void clear_depths(struct search *search)
 {
-	if (search->known == 0)
+	if (search->keep->known == 0)
 		search->cast = search->received = screen_box_all();
 	search->cast = tile_depths_clear_casters(
 		search->depths, &search->cast, search->keep->raster.margin);
@@ -175,19 +177,27 @@ static bool is_same_raster(const struct edge_raster *a, const struct edge_raster
 	       a->margin == b->margin;
 }
 
-bool edge_keep_find(struct edge_keep *keep, struct edge_chains *chains, struct tile_depths *depths,
-	const struct sm_scene *scene, const struct light_frame *frame,
-	const struct edge_raster *raster)
+bool edge_keep_look(struct edge_keep *keep, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct edge_raster *raster)
 {
-	struct search search = {keep, chains, depths, scene, frame, 0, {{0}, {0}}, {{0}, {0}}};
-	if (!is_same_raster(&keep->raster, raster))
+	/* What an earlier look has seen change, no search has found. */
+	if (keep->looked || !is_same_raster(&keep->raster, raster))
 		edge_keep_forget(keep);
 	keep->raster = *raster;
-	search.known = keep->watch.count;
-	bool found = object_watch_look(&keep->watch, scene, frame, is_caster, &keep->changed);
-	if (found && screen_box_is_all(&keep->changed))
-		search.known = 0;
-	found = found && tile_depths_reserve(depths, scene, raster->tiles) && find(&search);
+	keep->known = keep->watch.count;
+	keep->looked = object_watch_look(&keep->watch, scene, frame, is_caster, &keep->changed);
+	if (keep->looked && screen_box_is_all(&keep->changed))
+		keep->known = 0;
+	return keep->looked;
+}
+
+bool edge_keep_find(struct edge_keep *keep, struct edge_chains *chains, struct tile_depths *depths,
+	const struct sm_scene *scene, const struct light_frame *frame)
+{
+	struct search search = {keep, chains, depths, scene, frame, {{0}, {0}}, {{0}, {0}}};
+	assert(keep->looked);
+	bool found = tile_depths_reserve(depths, scene, keep->raster.tiles) && find(&search);
+	keep->looked = false;
 	if (!found)
 		edge_keep_forget(keep);
 	return found;

@@ -32,6 +32,8 @@ struct edge_keep {
 	struct edge_part *parts;    /* of each object, owned */
 	struct chain_point *before; /* what the chains were, where some are kept; owned */
 	size_t part_capacity, before_capacity;
+	size_t known; /* objects that parts are kept of */
+	bool looked;  /* since the last search */
 };
 
 void edge_keep_finish(struct edge_keep *keep);
@@ -39,12 +41,17 @@ void edge_keep_finish(struct edge_keep *keep);
 /** Has the next search keep nothing. */
 void edge_keep_forget(struct edge_keep *keep);
 
+/** Finds what has changed, keep->changed, before the search. False: out of memory, and nothing is
+ *  kept. */
+bool edge_keep_look(struct edge_keep *keep, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct edge_raster *raster);
+
 /** Has the chains be those of all casters, object after object, and the depths those of all objects
- *  that cast or receive: as if all were found anew. Neither is changed by others in between, and
- *  both are empty before the first search. False: out of memory, and nothing is kept. */
+ *  that cast or receive: as if all were found anew. What has changed of the same scene and frame
+ * has been looked for since the last search. Neither is changed by others in between, and both are
+ * empty before the first search. False: out of memory, and nothing is kept. */
 bool edge_keep_find(struct edge_keep *keep, struct edge_chains *chains, struct tile_depths *depths,
-	const struct sm_scene *scene, const struct light_frame *frame,
-	const struct edge_raster *raster);
+	const struct sm_scene *scene, const struct light_frame *frame);
 
 /** Of memory. */
 size_t edge_keep_bytes(const struct edge_keep *keep);

@@ -31,6 +31,7 @@ struct gather {
 	float farthest[SCREEN_GRID_SIZE * SCREEN_GRID_SIZE]; /* of casters over a cell; 0: none */
 	struct depth_map hard; /* of a light that is a point; made when there is one */
 	bool point;
+	int sheets;              /* in line, in the last frame */
 	bool sparse, long_lists; /* chosen by itself, in the last frame */
 	enum sm_sampling sampling;
 	float depth_noise;
@@ -187,19 +188,25 @@ static void count_edges(struct gather *gather, struct sm_frame_stats *stats)
 	gather->told = gather->told || gather->grid.dropped > 0;
 }
 
-static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, struct sm_error *error)
+static struct edge_grid_options grid_options(
+	const struct gather *gather, const struct sm_scene *scene, const struct light_frame *frame)
 {
-	const struct edge_grid_options options = {
+	return (struct edge_grid_options){
 		.tiles = gather_tiles(scene, frame),
 		.map_size = (uint32_t)gather->layers.depth.size,
 		.subpixel_bits = gather->subpixel_bits,
 		.finer_bits = edge_finer_bits(gather->subpixel_bits),
 		.room = GATHER_ROOM,
 	};
+}
+
+static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct edge_grid_options *options,
+	struct sm_error *error)
+{
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
-	bool found = edge_grid_find(&gather->grid, scene, frame, &options);
+	bool found = edge_grid_find(&gather->grid, scene, frame, options);
 	if (found) {
 		mark_soft(gather);
 		count_edges(gather, &gpu->stats);
@@ -245,11 +252,27 @@ static void forget(struct gather *gather)
 }
 
 static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const struct screen_box *changed, struct sm_error *error)
+{
+	return sheet_layers_draw(&gather->layers, gpu, scene, frame, gather->sheets,
+		&gather->grid.keep.watch, changed, error);
+}
+
+/* Edges tell how many layers there are, but it takes the processor a while to find them: as many as
+ * the last frame had are drawn first, so that a driver has something to do meanwhile. */
+static bool draw_sheets(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
-	const struct edge_keep *keep = &gather->grid.keep;
-	return sheet_layers_draw(&gather->layers, gpu, scene, frame, sheets_in_line(&gather->grid),
-		&keep->watch, &keep->changed, error);
+	const struct edge_grid_options options = grid_options(gather, scene, frame);
+	const struct screen_box none = screen_box_none();
+	if (!edge_grid_look(&gather->grid, scene, frame, &options))
+		return error_no_memory(error);
+	gather->sheets = gather->sheets > 0 ? gather->sheets : 1;
+	if (!draw_layers(gather, gpu, scene, frame, &gather->grid.keep.changed, error) ||
+		!find_edges(gather, gpu, scene, frame, &options, error))
+		return false;
+	gather->sheets = sheets_in_line(&gather->grid);
+	return draw_layers(gather, gpu, scene, frame, &none, error);
 }
 
 static bool gather_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene,
@@ -262,8 +285,7 @@ static bool gather_prepare(void *state, struct gpu *gpu, const struct sm_scene *
 		forget(gather);
 	gather->failures = gpu->failures;
 	if (!gather->point)
-		return find_edges(gather, gpu, scene, frame, error) &&
-		       draw_layers(gather, gpu, scene, frame, error);
+		return draw_sheets(gather, gpu, scene, frame, error);
 	if (gather->hard.target.texture == 0 &&
 		!depth_map_init(
 			&gather->hard, gpu, gather->map_size, DEPTH_MAP_NEAREST, false, error)) {

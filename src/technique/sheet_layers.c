@@ -106,6 +106,10 @@ bool sheet_layers_draw(struct sheet_layers *layers, struct gpu *gpu, const struc
 	const struct part here = {watch, changed}, everywhere = {watch, &all};
 	int kept = layers->count;
 	bool drawn = true;
+	if (count <= kept && screen_box_is_none(changed)) {
+		layers->count = count;
+		return true;
+	}
 	layers->count = 0;
 	gl_push_group(&gpu->gl, "layers");
 	for (int i = 0; i < count && drawn; i++)
@@ -115,5 +119,7 @@ bool sheet_layers_draw(struct sheet_layers *layers, struct gpu *gpu, const struc
 	gl_pop_group(&gpu->gl);
 	if (drawn)
 		layers->count = count;
+	/* So that a driver begins with them while edges are looked for. */
+	gpu->gl.Flush();
 	return drawn;
 }

@@ -11,7 +11,7 @@ struct sheet_layers {
 	struct target of[GATHER_LAYERS]; /* the later ones made when there are any */
 	struct target depth;             /* what they are drawn with */
 	bool coarse;                     /* drawn on a coarse raster grid: depths are corrected */
-	int count;                       /* that the last frame has; 0: none can be kept */
+	int count;                       /* that show the casters; 0: none can be kept */
 };
 
 /** size: texels a side. On failure (MACHINE) finish() is still to be called. */
@@ -22,8 +22,8 @@ void sheet_layers_finish(struct sheet_layers *layers, struct gpu *gpu);
 /** Has the next draw start with nothing. */
 void sheet_layers_forget(struct sheet_layers *layers);
 
-/** Has `count` layers show the casters, up to GATHER_LAYERS. changed: where these show otherwise
- *  than at the last draw, of the objects that `watch` has been looked at for. */
+/** Has the first `count` layers show the casters, up to GATHER_LAYERS. changed: where these show
+ *  otherwise than at the last draw, of the objects that `watch` has been looked at for. */
 bool sheet_layers_draw(struct sheet_layers *layers, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, int count, const struct object_watch *watch,
 	const struct screen_box *changed, struct sm_error *error);
