@@ -23,7 +23,12 @@ uniform bool casts;        // the receiver, as well
 #endif
 uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
 
-const int LAYERS = 3;
+const int LAYERS_MOST = 3;
+#ifdef TWO_LAYERS
+const int LAYERS = 2;
+#else
+const int LAYERS = LAYERS_MOST;
+#endif
 const float TABLE_ROW = 1024.0;
 // Of edges.
 const int DEPTH_BITS = 11;
@@ -109,7 +114,9 @@ sheets sheets_at(vec2 at)
 	sheets found;
 	found.of[0] = sheet_of(textureLod(front_layer, at, 0.0));
 	found.of[1] = sheet_of(textureLod(second_layer, at, 0.0));
+#ifndef TWO_LAYERS
 	found.of[2] = sheet_of(textureLod(third_layer, at, 0.0));
+#endif
 	return found;
 }
 
@@ -224,7 +231,7 @@ origin origin_among(receiver r, origin middle, int tries)
 			// Where all layers are before the receiver more sheets may be: of what does
 			// not cast it is taken that it lies behind all that are in line, and what
 			// does is dark where layers are drawn no further.
-			bool hidden = casts && blocking == LAYERS;
+			bool hidden = casts && blocking == LAYERS_MOST;
 			bool full = !casts && blocking == layer_count;
 			from.at = full ? middle.at : off + r.s.xy;
 			from.winding = full ? middle.winding : hidden ? HIDDEN : blocking;

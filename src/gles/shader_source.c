@@ -54,6 +54,7 @@ static const struct {
 	FLAG(COARSE),
 	FLAG(BEHIND),
 	FLAG(WORDS),
+	FLAG(TWO_LAYERS),
 #undef FLAG
 };
 
@@ -166,7 +167,7 @@ static const struct {
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
 				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS |
-				 FLAG_COARSE | FLAG_BEHIND | FLAG_WORDS,
+				 FLAG_COARSE | FLAG_BEHIND | FLAG_WORDS | FLAG_TWO_LAYERS,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -225,7 +226,8 @@ static const struct {
 	[PROGRAM_FIND] =
 		{
 			.name = "find",
-			.flags = FLAG_RECEIVERS | FLAG_RUNS | FLAG_COARSE | FLAG_POINTS,
+			.flags = FLAG_RECEIVERS | FLAG_RUNS | FLAG_COARSE | FLAG_POINTS |
+				 FLAG_TWO_LAYERS,
 			.parts =
 				{
 					{{"copy.vert"}},
@@ -363,6 +365,8 @@ static bool surface_is_valid(uint64_t flags)
 	       implies(flags, FLAG_POINTS, FLAG_VISIBILITY) &&
 	       implies(flags, FLAG_RUNS, FLAG_EDGES) && implies(flags, FLAG_COARSE, FLAG_EDGES) &&
 	       implies(flags, FLAG_BEHIND, FLAG_EDGES) &&
+	       implies(flags, FLAG_TWO_LAYERS, FLAG_EDGES) &&
+	       excludes(flags, FLAG_TWO_LAYERS, FLAG_BEHIND) &&
 	       excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
@@ -382,7 +386,8 @@ bool program_key_is_valid(struct program_key key)
 		return flags & FLAG_RECEIVERS ? receivers_are_valid(flags)
 					      : surface_is_valid(flags);
 	case PROGRAM_FIND:
-		return (flags & ~(FLAG_RUNS | FLAG_COARSE | FLAG_POINTS)) == FLAG_RECEIVERS;
+		return (flags & ~(FLAG_RUNS | FLAG_COARSE | FLAG_POINTS | FLAG_TWO_LAYERS)) ==
+		       FLAG_RECEIVERS;
 	case PROGRAM_FIN:
 		return excludes(flags, FLAG_DEPTH_ONLY,
 			       FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH) &&

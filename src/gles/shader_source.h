@@ -77,9 +77,10 @@ enum program_kind {
 #define FLAG_COARSE (UINT64_C(1) << 38)
 #define FLAG_BEHIND (UINT64_C(1) << 39)
 #define FLAG_WORDS (UINT64_C(1) << 40)
+#define FLAG_TWO_LAYERS (UINT64_C(1) << 41)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 41)
+#define FLAG_END (UINT64_C(1) << 42)
 
 struct program_key {
 	enum program_kind kind;

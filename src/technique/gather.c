@@ -301,6 +301,7 @@ static uint64_t gather_surface_flags(const void *state)
 	if (gather->point)
 		return FLAG_HARD;
 	return FLAG_EDGES | (gather->grid.whole ? 0 : FLAG_RUNS) |
+	       (gather->layers.count > 2 ? 0 : FLAG_TWO_LAYERS) |
 	       (raster_is_coarse(gather->subpixel_bits) ? FLAG_COARSE : 0);
 }
 

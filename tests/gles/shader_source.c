@@ -48,6 +48,7 @@ static const struct {
 	{FLAG_RUNS, "RUNS"},
 	{FLAG_COARSE, "COARSE"},
 	{FLAG_BEHIND, "BEHIND"},
+	{FLAG_TWO_LAYERS, "TWO_LAYERS"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -146,8 +147,9 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_EXACT_COPY], 1);
 	const size_t taps = 1 + plain;       /* gathered, or fetched from plain depths */
 	const size_t comparison = 2 + plain; /* by the sampler, gathered, or fetched */
-	/* Whole lists or runs, on fine or coarse raster grids, anywhere or behind all casters. */
-	const size_t edges = 2 * 2 * 2;
+	/* Whole lists or runs, on fine or coarse raster grids, behind all casters or anywhere, with
+	 * up to two layers or more. */
+	const size_t edges = 2 * 2 * (1 + 2);
 	const size_t shadows = comparison + /* hard */
 			       3 * taps +   /* smoothies, with no or own depth, or alpha too */
 			       1 +          /* depth and alpha of smoothies at once */
@@ -166,8 +168,9 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	 * visibility or not. */
 	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + edges + 4 * 2);
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
-	/* Whole lists or runs, on a fine raster grid or a coarse one. */
-	assert_int_equal(counts[PROGRAM_FIND], 2 * 2 * 2);
+	/* Whole lists or runs, on a fine raster grid or a coarse one, with up to two layers or
+	 * more, of pixels or points. */
+	assert_int_equal(counts[PROGRAM_FIND], 2 * 2 * 2 * 2);
 	assert_int_equal(counts[PROGRAM_KNOWN], 2);
 }
 
