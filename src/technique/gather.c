@@ -318,10 +318,8 @@ static const float *gather_farthest(const void *state)
 }
 
 /* The widest penumbra, in pixels where the light's screen is as high as the view, from which on
- * points of the view cost less: measured on scenes of few sheets in line, of as many as there are
- * layers, where more pixels lie at a surface's edge or near a contact, and of long lists. */
-#define WIDTH_SPARSE 56.0f
-#define WIDTH_SPARSE_DEEP 100.0f
+ * points of the view cost less: as measured, and where lists are long. */
+#define WIDTH_SPARSE 100.0f
 #define WIDTH_SPARSE_LONG 28.0f
 
 /* Edges of a list, in the mean, from which on a pixel costs so much that it pays to know which are
@@ -344,9 +342,7 @@ static void choose_by_itself(struct gather *gather, float pixels, bool known)
 {
 	gather->long_lists =
 		is_above(gather->grid.mean_list, LIST_LONG, known && gather->long_lists);
-	float enough = gather->long_lists                      ? WIDTH_SPARSE_LONG
-		       : gather->layers.count == GATHER_LAYERS ? WIDTH_SPARSE_DEEP
-							       : WIDTH_SPARSE;
+	float enough = gather->long_lists ? WIDTH_SPARSE_LONG : WIDTH_SPARSE;
 	gather->sparse = is_above(pixels, enough, known && gather->sparse);
 }
 
