@@ -4,6 +4,9 @@
 /* A gap of fewer tiles than this between two runs costs less to shade than to leave out. */
 #define GAP_MIN 8
 
+/* Pixels of a picture's height, below which fewer rows save too few pixels. */
+#define FINE_HEIGHT_MIN 512
+
 /* Of a triangle cut by the near plane and a tile's four sides. A cut adds one, but where corners
  * lie in a plane rounding may put every second one outside: 4, 6, 9, 13, 19. */
 #define CORNERS_MAX 20
@@ -94,30 +97,67 @@ static float side_of(int tile)
 	return (float)tile * (2.0f / SCREEN_GRID_SIZE) - 1.0f;
 }
 
-/* Marks, for each need, the tiles of a band of rows where a triangle has it. margin: NDC by which a
- * tile's pixels may reach beyond it. */
-static void mark_band(const struct need_map *map, const struct polygon *triangle, int first_row,
-	const float margin[2], uint64_t marked[NEED_COUNT])
+/* What is cut to tiles. */
+struct search {
+	const struct need_map *map;
+	const struct polygon *seen; /* [count] triangles */
+	size_t count;
+	float margin[2]; /* NDC by which a tile's pixels may reach beyond it */
+};
+
+/* Rows that are alike. */
+struct band {
+	int row, end;
+};
+
+/* Marks, for each need, those of the given tiles in a band where a triangle has it. */
+static void mark_triangle(const struct search *search, const struct polygon *triangle,
+	struct band rows, uint64_t tiles, uint64_t marked[NEED_COUNT])
 {
+	const float *margin = search->margin;
 	struct polygon band, tile;
-	cut_between(triangle, 1, side_of(first_row) - margin[1],
-		side_of(first_row + TILE_BAND) + margin[1], &band);
+	cut_between(
+		triangle, 1, side_of(rows.row) - margin[1], side_of(rows.end) + margin[1], &band);
 	for (int x = 0; x < SCREEN_GRID_SIZE && band.count > 0; x++) {
+		if (!(tiles >> x & 1))
+			continue;
 		cut_between(&band, 0, side_of(x) - margin[0], side_of(x + 1) + margin[0], &tile);
 		if (tile.count > 0)
-			marked[need_of_polygon(map, &tile)] |= (uint64_t)1 << x;
+			marked[need_of_polygon(search->map, &tile)] |= (uint64_t)1 << x;
 	}
 }
 
+static void mark(
+	const struct search *search, struct band rows, uint64_t tiles, uint64_t marked[NEED_COUNT])
+{
+	for (size_t i = 0; i < search->count; i++)
+		mark_triangle(search, &search->seen[i], rows, tiles, marked);
+}
+
 /* Each tile goes to the greatest need alone. */
-static void set_band(struct tiles *tiles, int first_row, const uint64_t marked[NEED_COUNT])
+static void set_band(struct tiles *tiles, struct band rows, const uint64_t marked[NEED_COUNT])
 {
 	uint64_t taken = 0;
 	for (int need = NEED_COUNT - 1; need >= 0; need--) {
 		uint64_t row = need > 0 ? close_gaps(marked[need] | taken) : ~(uint64_t)0;
-		for (int i = 0; i < TILE_BAND; i++)
-			tiles->of[need].rows[first_row + i] = row & ~taken;
+		for (int i = rows.row; i < rows.end; i++)
+			tiles->of[need].rows[i] = row & ~taken;
 		taken = row;
+	}
+}
+
+/* The tiles of a band that need the technique are found again by fewer rows. */
+static void set_finely(struct tiles *tiles, const struct search *search, struct band rows,
+	const uint64_t marked[NEED_COUNT])
+{
+	uint64_t costly = marked[NEED_BEHIND] | marked[NEED_TECHNIQUE];
+	for (int row = rows.row; row < rows.end; row += TILE_BAND_FINE) {
+		const struct band part = {row, row + TILE_BAND_FINE};
+		uint64_t here[NEED_COUNT];
+		for (int need = 0; need < NEED_COUNT; need++)
+			here[need] = marked[need] & ~costly;
+		mark(search, part, costly, here);
+		set_band(tiles, part, here);
 	}
 }
 
@@ -140,16 +180,21 @@ static bool see_triangle(struct polygon *seen, const struct mesh *mesh, size_t t
 void tiles_find(struct tiles *tiles, const struct need_map *map, const struct mesh *mesh,
 	uint32_t width, uint32_t height, mat4 to_clip, mat4 to_light_clip)
 {
-	/* One pixel: half for the one that a tile's side cuts, half for where it is shaded. */
-	const float margin[2] = {2.0f / (float)width, 2.0f / (float)height};
 	struct polygon seen[TILE_TRIANGLES_MAX];
-	size_t count = 0;
+	/* One pixel: half for the one that a tile's side cuts, half for where it is shaded. */
+	struct search search = {map, seen, 0, {2.0f / (float)width, 2.0f / (float)height}};
+	/* Behind what casters reach is known where pixels walk along edges, which costs ten times
+	 * what the rest of them does. */
+	bool fine = map->farthest != NULL && height >= FINE_HEIGHT_MIN;
 	for (size_t i = 0; i < mesh->index_count / 3; i++)
-		count += see_triangle(&seen[count], mesh, i, to_clip, to_light_clip);
+		search.count += see_triangle(&seen[search.count], mesh, i, to_clip, to_light_clip);
 	for (int row = 0; row < SCREEN_GRID_SIZE; row += TILE_BAND) {
+		const struct band rows = {row, row + TILE_BAND};
 		uint64_t marked[NEED_COUNT] = {0};
-		for (size_t i = 0; i < count; i++)
-			mark_band(map, &seen[i], row, margin, marked);
-		set_band(tiles, row, marked);
+		mark(&search, rows, ~(uint64_t)0, marked);
+		if (fine && (marked[NEED_BEHIND] | marked[NEED_TECHNIQUE]) != 0)
+			set_finely(tiles, &search, rows, marked);
+		else
+			set_band(tiles, rows, marked);
 	}
 }

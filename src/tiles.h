@@ -5,8 +5,9 @@
 #include "geom/mesh.h"
 #include "need.h"
 
-/** Rows of tiles that are alike. */
+/** Rows of tiles that are alike; of those that walk along edges. */
 #define TILE_BAND 4
+#define TILE_BAND_FINE 2
 
 /** Meshes of more triangles are not worth cutting. */
 #define TILE_TRIANGLES_MAX 16
@@ -19,7 +20,7 @@ struct tiles {
 /**
  * Finds what a mesh of at most TILE_TRIANGLES_MAX triangles needs where it is seen: its part in
  * each tile, as the light sees that. Rounded up to few rectangles, since each is a draw call:
- * TILE_BAND rows at a time are alike, and short gaps are closed.
+ * TILE_BAND rows at a time are alike, or TILE_BAND_FINE, and short gaps are closed.
  * width, height: of the picture, pixels. to_clip, to_light_clip: from the mesh to the clip spaces
  * of camera and light.
  */
