@@ -268,6 +268,7 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 	pass->multisampled = samples > 1;
 	if (!draw_shadows(pass, first, last, error))
 		return false;
+	surface_pass_find_ways(pass);
 	gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 	gl->Viewport(0, 0, (GLsizei)pass->width, (GLsizei)pass->height);
 	if (pass->flags & FLAG_VISIBILITY && renderer->shadows.technique->show != NULL)

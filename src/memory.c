@@ -68,7 +68,8 @@ static void list_gpu(const struct memory_list *list, const struct gpu *gpu)
 	const struct program_cache *programs = &gpu->programs;
 	size_t clusters = 0;
 	for (size_t i = 0; i < scene->mesh_count; i++)
-		clusters += scene->meshes[i].cluster_count * sizeof(*scene->meshes[i].clusters);
+		clusters += scene->meshes[i].cluster_count * sizeof(*scene->meshes[i].clusters) +
+			    scene->meshes[i].vertex_count * sizeof(*scene->meshes[i].rises);
 	memory_list_processor(list, "meshes: clusters", clusters);
 	memory_list_processor(list, "meshes: vertices on their way",
 		scene->vertex_capacity * sizeof(*scene->vertices));
@@ -87,6 +88,7 @@ static void list_frame(const struct memory_list *list, const struct sm_renderer 
 	memory_list_processor(list, "renderer",
 		sizeof(*renderer) + renderer->light_capacity * sizeof(*renderer->lights) +
 			renderer->need_capacity * sizeof(*renderer->needs) +
+			averted_parts_bytes(&renderer->averted) +
 			renderer->order.capacity * sizeof(*renderer->order.items));
 	memory_list_processor(list, "scene near the camera",
 		moved->object_capacity * sizeof(*moved->objects) +

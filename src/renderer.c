@@ -37,6 +37,8 @@ void sm_renderer_destroy(struct sm_renderer *renderer)
 	picture_finish(&renderer->accumulator, &renderer->gpu.gl);
 	sparse_pass_finish(renderer);
 	deferred_pass_finish(renderer);
+	if (renderer->gpu.gl.GetError != NULL)
+		averted_parts_finish(&renderer->averted, &renderer->gpu.gl);
 	gpu_finish(&renderer->gpu);
 	local_scene_finish(&renderer->local);
 	draw_order_finish(&renderer->order);

@@ -2,6 +2,7 @@
 #ifndef RENDERER_H
 #define RENDERER_H
 
+#include "averted_parts.h"
 #include "gles/picture.h"
 #include "local_scene.h"
 #include "scene/draw_order.h"
@@ -55,7 +56,8 @@ struct sm_renderer {
 	struct shadowed_light *lights; /* owned */
 	uint8_t *needs;                /* enum need of a mesh's clusters; owned */
 	size_t light_capacity, need_capacity;
-	struct frame_key current; /* of the last frame, if it was drawn */
+	struct averted_parts averted; /* of the object that is drawn */
+	struct frame_key current;     /* of the last frame, if it was drawn */
 	bool whole; /* draw every surface with all that the technique does, whatever skips say */
 };
 

@@ -215,24 +215,24 @@ static void draw_tiles(const struct surface_pass *pass, const struct gpu_mesh *m
 	gl->Disable(GL_SCISSOR_TEST);
 }
 
-/* Whether one cluster may take so much of the picture, in NDC units, that cutting it by tiles pays
- * for the draw calls: a quarter. */
-#define LARGE_AREA 1.0f
-
-static bool is_large(
+/* How much of the picture a mesh's first cluster may take, in NDC units of which all is 4. */
+static float area_on_screen(
 	const struct surface_pass *pass, const struct object *object, const struct gpu_mesh *mesh)
 {
 	mat4 to_clip;
 	float min[3], max[3];
 	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
 	if (!box_on_screen(to_clip, mesh->clusters, min, max))
-		return true;
+		return INFINITY;
 	for (int axis = 0; axis < 2; axis++) {
 		min[axis] = fmaxf(min[axis], -1.0f);
-		max[axis] = fminf(max[axis], 1.0f);
+		max[axis] = fmaxf(fminf(max[axis], 1.0f), min[axis]);
 	}
-	return (max[0] - min[0]) * (max[1] - min[1]) >= LARGE_AREA;
+	return (max[0] - min[0]) * (max[1] - min[1]);
 }
+
+/* From which on cutting a cluster by tiles pays for the draw calls: a quarter of the picture. */
+#define LARGE_AREA 1.0f
 
 /* The flags that a need takes: those of all, less what can be left out. */
 static uint64_t flags_of(const struct surface_pass *pass, uint64_t all, enum need need)
@@ -265,7 +265,7 @@ static bool cut_to_tiles(
 	const struct gpu_mesh *gpu_mesh = &pass->renderer->gpu.scene.meshes[object->mesh];
 	bool adds_up = !pass->first && pass->multisampled;
 	if (adds_up || mesh->index_count > 3 * TILE_TRIANGLES_MAX ||
-		!is_large(pass, object, gpu_mesh))
+		area_on_screen(pass, object, gpu_mesh) < LARGE_AREA)
 		return false;
 	mat4 to_clip, to_light_clip;
 	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
@@ -273,6 +273,48 @@ static bool cut_to_tiles(
 	tiles_find(tiles, &pass->shadow->needs, mesh, pass->width, pass->height, to_clip,
 		to_light_clip);
 	return true;
+}
+
+/* Pixels around a mesh of one cluster, or of the picture, from which on it pays to draw apart what
+ * is averted. */
+#define AVERTED_PIXELS_MIN 4096.0f
+
+static bool is_worth_splitting(
+	const struct surface_pass *pass, const struct object *object, const struct gpu_mesh *mesh)
+{
+	const uint8_t *needs = pass->renderer->needs;
+	float pixels = (float)pass->width * (float)pass->height;
+	if (mesh->cluster_count == 1)
+		pixels *= 0.25f * fminf(area_on_screen(pass, object, mesh), 4.0f);
+	return pixels >= AVERTED_PIXELS_MIN &&
+	       (memchr(needs, NEED_BEHIND, mesh->cluster_count) != NULL ||
+		       memchr(needs, NEED_TECHNIQUE, mesh->cluster_count) != NULL);
+}
+
+/* Whether what no light arrives at can be drawn apart: where a processor with lanes would walk
+ * along edges for it in vain. Of several samples of a pixel the middle is shaded, which may lie
+ * beside the surface; visibility is told by other normals; and those of backs lead the other way.
+ */
+static bool can_split(const struct surface_pass *pass, const struct object *object, uint64_t flags)
+{
+	mat4 to_clip;
+	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
+	return flags & FLAG_EDGES && !(flags & FLAG_VISIBILITY) && !pass->multisampled &&
+	       (object->single_sided ||
+		       mesh_hides_back(&pass->scene->meshes[object->mesh], to_clip)) &&
+	       way_choose(&pass->renderer->gpu, DRIVER_BRANCH, NULL) != BRANCH_SHADER;
+}
+
+static bool find_averted(const struct surface_pass *pass, const struct object *object,
+	uint64_t flags, struct sm_error *error)
+{
+	struct sm_renderer *renderer = pass->renderer;
+	const struct mesh *mesh = &pass->scene->meshes[object->mesh];
+	const struct gpu_mesh *gpu_mesh = &renderer->gpu.scene.meshes[object->mesh];
+	renderer->averted.split = false;
+	return !is_worth_splitting(pass, object, gpu_mesh) || !can_split(pass, object, flags) ||
+	       averted_parts_find(&renderer->averted, &renderer->gpu, mesh, gpu_mesh,
+		       (vec4 *)object->transform, pass->frame, renderer->needs, error);
 }
 
 /* Draws the tiles, or else the clusters, that have this need. */
@@ -283,10 +325,14 @@ static bool draw_part(struct surface_pass *pass, const struct object *object,
 	if (!use_program(pass, flags, error))
 		return false;
 	set_object(pass, object, pass->program);
+	struct sm_renderer *renderer = pass->renderer;
+	bool split = tiles == NULL && renderer->averted.split;
 	if (tiles != NULL)
 		draw_tiles(pass, mesh, tiles, need);
-	else
+	else if (!split || need < NEED_BEHIND)
 		draw_clusters(pass, mesh, need);
+	if (split)
+		averted_parts_draw(&renderer->averted, &renderer->gpu, mesh, need);
 	return true;
 }
 
@@ -325,6 +371,13 @@ static void count_parts(
 	skip_count(&renderer->gpu.skips, SKIP_RECEIVER, count, count - needy);
 }
 
+static bool has_clusters(
+	const struct sm_renderer *renderer, const struct gpu_mesh *mesh, enum need need)
+{
+	return memchr(renderer->needs, need, mesh->cluster_count) != NULL ||
+	       (need == NEED_AMBIENT && renderer->averted.split);
+}
+
 /* Draws an object that a shadow may fall on, each part with no more than it needs: that is the same
  * there and costs less. */
 static bool draw_in_parts(struct surface_pass *pass, const struct object *object, uint64_t flags,
@@ -334,13 +387,14 @@ static bool draw_in_parts(struct surface_pass *pass, const struct object *object
 	const struct gpu_mesh *mesh = &renderer->gpu.scene.meshes[object->mesh];
 	struct tiles tiles;
 	bool tiled = cut_to_tiles(pass, object, &tiles);
-	if (!tiled && !find_needs(pass, object, mesh, error))
+	if (!tiled && (!find_needs(pass, object, mesh, error) ||
+			      !find_averted(pass, object, flags, error)))
 		return false;
 	count_parts(renderer, tiled ? &tiles : NULL, mesh);
 	/* What a further light does not reach it adds nothing to. */
 	enum need least = pass->first ? NEED_AMBIENT : NEED_LIGHT;
 	for (enum need need = least; need < NEED_COUNT; need++) {
-		if (!tiled && memchr(renderer->needs, need, mesh->cluster_count) == NULL)
+		if (!tiled && !has_clusters(renderer, mesh, need))
 			continue;
 		if (!draw_need(pass, object, tiled ? &tiles : NULL, need, flags, error))
 			return false;
@@ -413,6 +467,14 @@ static void map_needs(struct surface_pass *pass)
 	shadow->needs.farthest = alike ? NULL : technique->farthest(shadow->state);
 	/* Where a screen is fitted the cone can change and the screen not. */
 	shadow->needs.cone = cone_of(pass);
+}
+
+void surface_pass_find_ways(const struct surface_pass *pass)
+{
+	const struct technique *technique = pass->renderer->shadows.technique;
+	if (technique->farthest != NULL && !pass->multisampled &&
+		(float)pass->width * (float)pass->height >= AVERTED_PIXELS_MIN)
+		way_choose(&pass->renderer->gpu, DRIVER_BRANCH, NULL);
 }
 
 bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)

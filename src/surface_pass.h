@@ -23,6 +23,10 @@ struct surface_pass {
 	const struct program *program; /* in use; of the pass itself */
 };
 
+/** Finds out by drawing, which is to be done before state is set for surfaces, what these ask the
+ *  driver for. */
+void surface_pass_find_ways(const struct surface_pass *pass);
+
 /** Draws every object, in the renderer's order, into the framebuffer that is bound. */
 bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error);
 

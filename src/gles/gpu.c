@@ -61,6 +61,16 @@ void gpu_draw_surface(
 	draw_elements(gpu, first, count < left ? count : left, mesh->surface_type);
 }
 
+void gpu_draw_indices(
+	struct gpu *gpu, const struct gpu_mesh *mesh, GLuint buffer, size_t first, size_t count)
+{
+	struct gl *gl = &gpu->gl;
+	gl->BindVertexArray(mesh->surface);
+	gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+	draw_elements(gpu, first, count, GL_UNSIGNED_INT);
+	gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh->surface_indices);
+}
+
 void gpu_draw_caster(struct gpu *gpu, const struct gpu_mesh *mesh)
 {
 	gpu->gl.BindVertexArray(mesh->caster);

@@ -45,6 +45,10 @@ void gpu_set_faces(
 void gpu_draw_surface(
 	struct gpu *gpu, const struct gpu_mesh *mesh, size_t first_cluster, size_t cluster_count);
 
+/** Draws triangles of a mesh as seen by other indices, of 32 bits, in a buffer. */
+void gpu_draw_indices(
+	struct gpu *gpu, const struct gpu_mesh *mesh, GLuint buffer, size_t first, size_t count);
+
 /** Draws a mesh as a caster. */
 void gpu_draw_caster(struct gpu *gpu, const struct gpu_mesh *mesh);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/gpu_scene.h"
 #include "base/array.h"
+#include "geom/averted.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -95,15 +96,19 @@ static bool upload_caster(
 
 static void find_clusters(struct gpu_mesh *gpu, const struct mesh *mesh)
 {
-	clusters_find((const float(*)[3])mesh->positions, mesh->indices, mesh->index_count / 3,
-		gpu->clusters);
+	const float(*positions)[3] = (const float(*)[3])mesh->positions;
+	clusters_find(positions, mesh->indices, mesh->index_count / 3, gpu->clusters);
+	averted_rises(positions, (const float(*)[3])mesh->normals, mesh->vertex_count,
+		mesh->indices, mesh->index_count / 3, gpu->rises);
 }
 
 static bool make_clusters(struct gpu_mesh *gpu, const struct mesh *mesh)
 {
 	gpu->cluster_count = clusters_count(mesh->index_count / 3);
+	gpu->vertex_count = mesh->vertex_count;
 	gpu->clusters = array_alloc(gpu->cluster_count, sizeof(*gpu->clusters));
-	if (gpu->clusters == NULL)
+	gpu->rises = array_alloc(mesh->vertex_count, sizeof(*gpu->rises));
+	if (gpu->clusters == NULL || gpu->rises == NULL)
 		return false;
 	find_clusters(gpu, mesh);
 	return true;
@@ -118,6 +123,7 @@ static void mesh_delete(struct gpu_mesh *gpu, struct gl *gl)
 	gl_delete_buffer(gl, &gpu->caster_vertices);
 	gl_delete_buffer(gl, &gpu->caster_indices);
 	free(gpu->clusters);
+	free(gpu->rises);
 }
 
 static bool fail_full(const struct mesh *mesh, struct sm_error *error)

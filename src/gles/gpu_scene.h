@@ -25,7 +25,8 @@ struct gpu_mesh {
 	GLsizei surface_count, caster_count; /* indices */
 	GLenum surface_type, caster_type;    /* of the indices: 16 bits where they fit */
 	struct cluster *clusters;            /* of the surface; owned */
-	size_t cluster_count;
+	float *rises;                        /* of its vertices, see geom/averted.h; owned */
+	size_t cluster_count, vertex_count;
 	uint64_t version; /* of the scene's mesh whose vertices these are */
 };
 
