@@ -127,10 +127,16 @@ static bool have_clusters(struct tile_depths *depths, struct cluster **clusters,
 	return true;
 }
 
-/* Whether triangle t of a caster counts as a sheet. */
-static bool is_sheet(const struct caster_view *view, size_t t)
+/* Which triangles of block w count, a bit each: of a caster its sheets; view NULL: all. */
+static uint64_t counted(const struct triangles *triangles, const struct caster_view *view, size_t w)
 {
-	return t >= view->rule.one_sided || (view->facing[t / EDGE_BLOCK] >> t % EDGE_BLOCK & 1);
+	size_t first = w * EDGE_BLOCK, rest = triangles->count - first;
+	uint64_t all = rest < EDGE_BLOCK ? ((uint64_t)1 << rest) - 1 : UINT64_MAX;
+	if (view == NULL || first >= view->rule.one_sided)
+		return all;
+	size_t one_sided = view->rule.one_sided - first;
+	uint64_t both = one_sided < EDGE_BLOCK ? UINT64_MAX << one_sided : 0;
+	return all & (view->facing[w] | both);
 }
 
 /* Few enough to be gone through one by one. */
@@ -148,13 +154,13 @@ static bool fill_few(struct tile_depths *depths, const struct tile_fill *fill,
 		return false;
 	struct tile_vertex *vertices = depths->vertices;
 	for (size_t i = 0; i < triangles->vertex_count; i++)
-		vertices[i] = tile_vertex_of(fill, to_clip, triangles->positions[i]);
-	for (size_t t = 0; t < triangles->count; t++) {
-		const uint32_t *corners = &triangles->indices[3 * t];
-		if (view == NULL || is_sheet(view, t))
-			tile_fill_triangle(
-				fill, (const struct tile_vertex *const[]){&vertices[corners[0]],
-					      &vertices[corners[1]], &vertices[corners[2]]});
+		tile_vertex_set(&vertices[i], fill, to_clip, triangles->positions[i]);
+	for (size_t first = 0; first < triangles->count; first += EDGE_BLOCK) {
+		uint64_t bits = counted(triangles, view, first / EDGE_BLOCK);
+		for (; bits != 0; bits &= bits - 1) {
+			size_t t = first + (size_t)__builtin_ctzll(bits);
+			tile_fill_triangle(fill, vertices, &triangles->indices[3 * t]);
+		}
 	}
 	return true;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/tile_fill.h"
+#include "base/float4.h"
 #include "base/float_range.h"
 
 /* Of a triangle cut by a plane. */
@@ -13,21 +14,23 @@ struct plane {
 	float origin, dx, dy;
 };
 
-static struct tile_point point_of(const struct tile_fill *fill, const float clip[4])
+static void set_point(struct tile_point *point, const struct tile_fill *fill, float4 clip)
 {
 	float scale = 0.5f / clip[3], tiles = (float)fill->tiles;
-	return (struct tile_point){(0.5f + clip[0] * scale) * tiles,
-		(0.5f + clip[1] * scale) * tiles, 0.5f + clip[2] * scale};
+	point->x = (0.5f + clip[0] * scale) * tiles;
+	point->y = (0.5f + clip[1] * scale) * tiles;
+	point->depth = 0.5f + clip[2] * scale;
+	point->beyond = clip[2] + clip[3] >= 0.0f ? 1.0f : -1.0f;
 }
 
-struct tile_vertex tile_vertex_of(
-	const struct tile_fill *fill, mat4 to_clip, const float position[3])
+void tile_vertex_set(struct tile_vertex *vertex, const struct tile_fill *fill, mat4 to_clip,
+	const float position[3])
 {
-	struct tile_vertex vertex;
-	vec4 homogeneous = {position[0], position[1], position[2], 1.0f};
-	glm_mat4_mulv(to_clip, homogeneous, vertex.clip);
-	vertex.point = point_of(fill, vertex.clip);
-	return vertex;
+	float4 clip = load4(to_clip[3]) + load4(to_clip[2]) * position[2];
+	clip = clip + load4(to_clip[1]) * position[1];
+	clip = clip + load4(to_clip[0]) * position[0];
+	store4(vertex->clip, clip);
+	set_point(&vertex->point, fill, clip);
 }
 
 /* The tile that a coordinate is in, or the nearest: from -1 to tiles, that of no number -1. What is
@@ -37,10 +40,10 @@ static int tile_at(const struct tile_fill *fill, float coordinate)
 	return (int)(larger(-1.0f, smaller(coordinate, (float)fill->tiles)) + 1.0f) - 1;
 }
 
+/* Without a branch, which would go either way at each tile. */
 static void raise_to(float *value, float depth)
 {
-	if (*value < depth)
-		*value = depth;
+	*value = larger(depth, *value);
 }
 
 /* Tiles [first, last] of a row. */
@@ -69,54 +72,68 @@ static bool tile_range(const struct tile_fill *fill, float low, float high, int 
 	return *first <= *last;
 }
 
-/* The box around nothing. */
-static const struct tile_point no_corner[2] = {
-	{INFINITY, INFINITY, 1.0f}, {-INFINITY, -INFINITY, 0.0f}};
+/* Around points as they are stored. */
+struct bounds {
+	float4 low, high;
+};
 
-static void widen(struct tile_point *low, struct tile_point *high, const struct tile_point *corner)
+static const struct bounds no_bounds = {
+	{INFINITY, INFINITY, 1.0f, INFINITY}, {-INFINITY, -INFINITY, 0.0f, -INFINITY}};
+
+static inline void widen(struct bounds *bounds, const struct tile_point *by)
 {
-	low->x = smaller(corner->x, low->x);
-	low->y = smaller(corner->y, low->y);
-	high->x = larger(corner->x, high->x);
-	high->y = larger(corner->y, high->y);
-	high->depth = larger(corner->depth, high->depth);
+	float4 point = load4(&by->x);
+	bounds->low = smaller4(point, bounds->low);
+	bounds->high = larger4(point, bounds->high);
 }
 
-/* What a box covers: tiles and the largest depth. */
+/* What is covered: tiles, and the largest depth. */
 struct cover {
 	int left, right, bottom, top; /* up to and with these */
 	float depth;
 };
 
-/* False where it covers nothing. */
+/* The tiles that touch what is within bounds, grown by the margin; false where there are none. */
+static inline bool cover_bounds(
+	const struct tile_fill *fill, const struct bounds *bounds, struct cover *cover)
+{
+	float4 low = bounds->low, high = bounds->high;
+	cover->depth = smaller(high[2], 1.0f);
+	return tile_range(fill, low[0], high[0], &cover->left, &cover->right) &&
+	       tile_range(fill, low[1], high[1], &cover->bottom, &cover->top);
+}
+
 static bool cover_box(const struct tile_fill *fill, mat4 to_clip, const float min[3],
 	const float max[3], struct cover *cover)
 {
-	struct tile_point low = no_corner[0], high = no_corner[1];
+	struct bounds bounds = no_bounds;
 	for (int i = 0; i < 8; i++) {
 		const float p[3] = {
 			i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]};
-		struct tile_vertex corner = tile_vertex_of(fill, to_clip, p);
+		struct tile_vertex corner;
+		tile_vertex_set(&corner, fill, to_clip, p);
 		if (!(corner.clip[2] >= -corner.clip[3]) || !(corner.clip[3] > 0.0f)) {
 			int last = (int)fill->tiles - 1;
 			*cover = (struct cover){0, last, 0, last, 1.0f};
 			return true;
 		}
-		widen(&low, &high, &corner.point);
+		widen(&bounds, &corner.point);
 	}
-	cover->depth = smaller(high.depth, 1.0f);
-	return tile_range(fill, low.x, high.x, &cover->left, &cover->right) &&
-	       tile_range(fill, low.y, high.y, &cover->bottom, &cover->top);
+	return cover_bounds(fill, &bounds, cover);
+}
+
+static void fill_cover(const struct tile_fill *fill, const struct cover *cover)
+{
+	for (int row = cover->bottom; row <= cover->top; row++)
+		fill_row(fill, row, cover->left, cover->right, cover->depth);
 }
 
 void tile_fill_box(
 	const struct tile_fill *fill, mat4 to_clip, const float min[3], const float max[3])
 {
 	struct cover cover;
-	if (!cover_box(fill, to_clip, min, max, &cover))
-		return;
-	for (int row = cover.bottom; row <= cover.top; row++)
-		fill_row(fill, row, cover.left, cover.right, cover.depth);
+	if (cover_box(fill, to_clip, min, max, &cover))
+		fill_cover(fill, &cover);
 }
 
 bool tile_fill_has_box(
@@ -149,21 +166,9 @@ static int clip_near(const struct tile_fill *fill, const struct tile_vertex *con
 		vec4 cut;
 		glm_vec4_lerp(
 			(float *)p->clip, (float *)q->clip, inside_p / (inside_p - inside_q), cut);
-		clipped[count++] = point_of(fill, cut);
+		set_point(&clipped[count++], fill, load4(cut));
 	}
 	return count;
-}
-
-/* Of what is beyond the near plane, as most triangles are. */
-static inline int find_corners(const struct tile_fill *fill,
-	const struct tile_vertex *const corners[3], struct tile_point found[CORNERS_MAX])
-{
-	bool beyond = true;
-	for (int k = 0; k < 3; k++) {
-		beyond = beyond && corners[k]->clip[2] + corners[k]->clip[3] >= 0.0f;
-		found[k] = corners[k]->point;
-	}
-	return beyond ? 3 : clip_near(fill, corners, found);
 }
 
 /* Without a plane where the first three corners hardly span one. */
@@ -222,27 +227,37 @@ static void fill_polygon_row(const struct tile_fill *fill, const struct tile_poi
 		raise_to(&values[x], smaller(deepest, depth + plane->dx * ((float)x + 0.5f)));
 }
 
-void tile_fill_triangle(const struct tile_fill *fill, const struct tile_vertex *const corners[3])
+/* Row by row, as deep as the polygon's plane is in each tile. */
+static void fill_polygon(const struct tile_fill *fill, const struct tile_point *corners, int count,
+	const struct cover *cover)
+{
+	struct plane plane;
+	bool has_plane = find_plane(corners, &plane);
+	for (int row = cover->bottom; row <= cover->top; row++)
+		fill_polygon_row(
+			fill, corners, count, row, has_plane ? &plane : NULL, cover->depth);
+}
+
+void tile_fill_triangle(
+	const struct tile_fill *fill, const struct tile_vertex *vertices, const uint32_t corners[3])
 {
 	struct tile_point clipped[CORNERS_MAX];
-	int count = find_corners(fill, corners, clipped);
-	if (count == 0)
-		return;
-	struct tile_point low = no_corner[0], high = no_corner[1];
-	for (int k = 0; k < count; k++)
-		widen(&low, &high, &clipped[k]);
-	high.depth = smaller(high.depth, 1.0f);
-	int left, right, bottom, top;
-	if (!tile_range(fill, low.x, high.x, &left, &right) ||
-		!tile_range(fill, low.y, high.y, &bottom, &top))
-		return;
-	if ((right - left + 1) * (top - bottom + 1) <= SMALL_TILES) {
-		for (int row = bottom; row <= top; row++)
-			fill_row(fill, row, left, right, high.depth);
-		return;
+	const struct tile_vertex *of[3];
+	bool beyond = true;
+	for (int k = 0; k < 3; k++) {
+		of[k] = &vertices[corners[k]];
+		clipped[k] = of[k]->point;
+		beyond = beyond && of[k]->point.beyond > 0.0f;
 	}
-	struct plane plane;
-	bool has_plane = find_plane(clipped, &plane);
-	for (int row = bottom; row <= top; row++)
-		fill_polygon_row(fill, clipped, count, row, has_plane ? &plane : NULL, high.depth);
+	int count = beyond ? 3 : clip_near(fill, of, clipped);
+	struct bounds bounds = no_bounds;
+	for (int k = 0; k < count; k++)
+		widen(&bounds, &clipped[k]);
+	struct cover cover;
+	if (!cover_bounds(fill, &bounds, &cover))
+		return;
+	if ((cover.right - cover.left + 1) * (cover.top - cover.bottom + 1) <= SMALL_TILES)
+		fill_cover(fill, &cover);
+	else
+		fill_polygon(fill, clipped, count, &cover);
 }

@@ -3,6 +3,7 @@
 #define SCENE_TILE_FILL_H
 
 #include <cglm/cglm.h>
+#include <stdint.h>
 
 /**
  * Raises the values of tiles of a light's screen to the window depths of what lies over them, or
@@ -17,6 +18,7 @@ struct tile_fill {
 /** Tiles and window depth. */
 struct tile_point {
 	float x, y, depth;
+	float beyond; /* the near plane: 1, else -1 */
 };
 
 /** A vertex of triangles. */
@@ -26,10 +28,12 @@ struct tile_vertex {
 };
 
 /** position: object space. */
-struct tile_vertex tile_vertex_of(
-	const struct tile_fill *fill, mat4 to_clip, const float position[3]);
+void tile_vertex_set(struct tile_vertex *vertex, const struct tile_fill *fill, mat4 to_clip,
+	const float position[3]);
 
-void tile_fill_triangle(const struct tile_fill *fill, const struct tile_vertex *const corners[3]);
+/** corners: of `vertices`. */
+void tile_fill_triangle(const struct tile_fill *fill, const struct tile_vertex *vertices,
+	const uint32_t corners[3]);
 
 /** A box of object space. */
 void tile_fill_box(
