@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/edge_cover.h"
 #include "base/array.h"
+#include "base/float4.h"
 #include "base/float_range.h"
 #include <stdlib.h>
 #include <string.h>
@@ -26,6 +27,9 @@
 /* Halvings of the depths among which one is sought. */
 #define LIMIT_STEPS 12
 
+/* Tiles that are gone through at a time. */
+#define TESTED 4
+
 /* The depth of such an edge. */
 #define AT_THE_LIGHT (-1e6f)
 
@@ -49,17 +53,17 @@ static struct spread spread_of(const struct light_frame *frame, uint32_t tiles)
 }
 
 /* Of the part of a tile that is farthest from the light's axis: slope of the ray along x or y. */
-static inline float slope_at(const struct spread *spread, uint32_t tile)
+static inline float4 slope_at(const struct spread *spread, float4 tile)
 {
 	return spread->slope *
-	       (fabsf(((float)tile + 0.5f) * spread->size - 1.0f) + 0.5f * spread->size);
+	       (absolute4((tile + 0.5f) * spread->size - 1.0f) + 0.5f * spread->size);
 }
 
 /* Of the way to window depth d, how far the disc that faces a receiver at the slope is turned away
  * from the light's axis, divided by K - d. */
-static inline float turn_at(const struct spread *spread, float slope2)
+static inline float4 turn_at(const struct spread *spread, float4 slope2)
 {
-	return spread->scale * spread->size * spread->slope * sqrtf(slope2 / (1.0f + slope2));
+	return spread->scale * spread->size * spread->slope * root4(slope2 / (1.0f + slope2));
 }
 
 /* Tiles per unit of depth between an edge and a receiver at p of the screen, as far as a penumbra
@@ -70,33 +74,42 @@ static inline float turn_at(const struct spread *spread, float slope2)
  * The deepest receiver is the one that is reached from farthest, while the turn on the way to the
  * edge is below 1.
  */
-static inline float spread_at(const struct spread *spread, float slope2, float deepest)
+static inline float4 spread_at(const struct spread *spread, float4 slope2, float4 deepest)
 {
-	float turn = turn_at(spread, slope2) * larger(spread->pole - deepest, 0.0f);
-	return spread->scale * sqrtf(1.0f + slope2) / (1.0f - smaller(turn, TURN_MAX));
+	float4 none = {0.0f}, most = TURN_MAX + none;
+	float4 turn = turn_at(spread, slope2) * larger4(spread->pole - deepest, none);
+	return spread->scale * root4(1.0f + slope2) / (1.0f - smaller4(turn, most));
+}
+
+static float largest_of(float4 values)
+{
+	return larger(larger(values[0], values[1]), larger(values[2], values[3]));
 }
 
 /* A row of tiles whose receivers are at most so deep. */
-static void init_row(struct edge_cover *cover, const struct spread *spread, uint32_t row,
-	const float *restrict deepest)
+static void init_row(
+	struct edge_cover *cover, const struct spread *spread, uint32_t row, const float *deepest)
 {
 	size_t start = (size_t)row * cover->tiles;
-	float *restrict margin = &cover->margin[start], *restrict base = &cover->base[start];
-	float *restrict rate = &cover->rate[start];
-	float slope_y = slope_at(spread, row), widest = cover->widest;
-	float rate_max = cover->rate_max, deepest_max = cover->deepest_max;
-	for (uint32_t x = 0; x < cover->tiles; x++) {
-		float slope_x = slope_at(spread, x), depth = deepest[x];
-		float reach = spread_at(
-			spread, slope_x * slope_x + slope_y * slope_y, larger(depth, 0.0f));
-		margin[x] = depth < 0.0f ? -1.0f : widest;
-		base[x] = depth < 0.0f ? -1.0f : reach * depth + ROUNDING;
-		rate[x] = depth < 0.0f ? 0.0f : reach;
-		rate_max = larger(rate_max, rate[x]);
-		deepest_max = larger(deepest_max, depth);
+	float4 none = {0.0f}, rate_max = none, deepest_max = none;
+	float4 slope_y = slope_at(spread, (float)row + none);
+	for (uint32_t x = 0; x < cover->tiles; x += TESTED) {
+		float4 slope_x = slope_at(spread, (float)x + (float4){0.0f, 1.0f, 2.0f, 3.0f});
+		float4 depth = load4(&deepest[x]);
+		float4 reach = spread_at(
+			spread, slope_x * slope_x + slope_y * slope_y, larger4(depth, none));
+		int4 empty = depth < 0.0f;
+		float4 rate = choose4(empty, none, reach);
+		store4(&cover->margin[start + x],
+			choose4(empty, none - 1.0f, cover->widest + none));
+		store4(&cover->base[start + x],
+			choose4(empty, none - 1.0f, reach * depth + ROUNDING));
+		store4(&cover->rate[start + x], rate);
+		rate_max = larger4(rate_max, rate);
+		deepest_max = larger4(deepest_max, depth);
 	}
-	cover->rate_max = rate_max;
-	cover->deepest_max = deepest_max;
+	cover->rate_max = larger(cover->rate_max, largest_of(rate_max));
+	cover->deepest_max = larger(cover->deepest_max, largest_of(deepest_max));
 }
 
 bool edge_cover_init(struct edge_cover *cover, const struct tile_depths *depths,
@@ -122,7 +135,7 @@ bool edge_cover_init(struct edge_cover *cover, const struct tile_depths *depths,
 	cover->deepest = depths->deepest;
 	cover->grazing.corners = NULL;
 	cover->scale = spread.scale;
-	cover->turn_max = turn_at(&spread, 2.0f * spread.slope * spread.slope);
+	cover->turn_max = turn_at(&spread, 2.0f * spread.slope * spread.slope + (float4){0.0f})[0];
 	cover->pole = frame->pole;
 	for (uint32_t row = 0; row < tiles; row++)
 		init_row(cover, &spread, row, &depths->deepest[(size_t)row * tiles]);
@@ -136,6 +149,7 @@ struct piece {
 	float normal[2], offset;
 	float half;  /* of a tile's box, along the normal */
 	float reach; /* at most */
+	float per_x; /* 1 / normal[0]; 0: the line runs along rows */
 };
 
 static int clamp_tile(const struct edge_cover *cover, float coordinate)
@@ -146,32 +160,13 @@ static int clamp_tile(const struct edge_cover *cover, float coordinate)
 /* Narrows [*left, *right] to where a row comes as near to the piece's line as it reaches. */
 static void narrow(const struct piece *piece, int row, float *left, float *right)
 {
-	float nx = piece->normal[0], ny = piece->normal[1];
-	if (fabsf(nx) < 1e-3f)
+	float ny = piece->normal[1];
+	if (piece->per_x == 0.0f)
 		return;
-	float middle = (piece->offset - ny * ((float)row + 0.5f)) / nx;
-	float around = (piece->reach + 0.5f * fabsf(ny)) / fabsf(nx) + ROUNDING;
+	float middle = (piece->offset - ny * ((float)row + 0.5f)) * piece->per_x;
+	float around = (piece->reach + 0.5f * fabsf(ny)) * fabsf(piece->per_x) + ROUNDING;
 	*left = larger(*left, middle - around);
 	*right = smaller(*right, middle + around);
-}
-
-/* Tiles that are tested at a time, as the vectors of gcc and clang: neither makes them of a loop
- * with a choice in it. */
-#define TESTED 4
-typedef float float4 __attribute__((vector_size(16)));
-typedef int32_t int4 __attribute__((vector_size(16))); /* of comparisons: 0 or -1 */
-
-static inline float4 load4(const float *values)
-{
-	float4 loaded;
-	memcpy(&loaded, values, sizeof(loaded));
-	return loaded;
-}
-
-static inline float4 larger4(float4 a, float4 b)
-{
-	int4 is_a = a > b;
-	return (float4)((is_a & (int4)a) | (~is_a & (int4)b));
 }
 
 /* Which of the tiles [x, x + TESTED) of a row the piece concerns, a bit each: those whose box is
@@ -185,7 +180,7 @@ static inline uint32_t test_tiles(const struct edge_cover *cover, const struct p
 	float4 penumbra = load4(&cover->base[first]) - load4(&cover->rate[first]) * piece->depth;
 	float4 reach = larger4(load4(&cover->margin[first]), penumbra);
 	float4 center = at_zero + piece->normal[0] * at;
-	float4 line = larger4(center, -center) - piece->half;
+	float4 line = absolute4(center) - piece->half;
 	float4 aside = larger4(piece->min[0] - 1.0f - at, at - piece->max[0]);
 	float4 dx = larger4(aside, (float4){0.0f});
 	/* A reach below 0 is within reach of no line. */
@@ -196,20 +191,30 @@ static inline uint32_t test_tiles(const struct edge_cover *cover, const struct p
 	return (uint32_t)(halves[0] | halves[0] >> 32);
 }
 
+/* Marks tiles from x on. */
+static inline void mark(uint64_t row[2], int x, uint64_t bits)
+{
+	row[x / 64] |= bits << x % 64;
+	if (x % 64 > 64 - TESTED)
+		row[x / 64 + 1] |= bits >> (64 - x % 64);
+}
+
 /* Marks the tiles of a row that the piece concerns. */
 static void cover_row(struct edge_cover *cover, const struct piece *piece, int row)
 {
 	float left = piece->min[0] - piece->reach, right = piece->max[0] + piece->reach;
 	narrow(piece, row, &left, &right);
-	int first = clamp_tile(cover, left) & -TESTED, end = clamp_tile(cover, right + 1.0f);
+	int first = clamp_tile(cover, left), end = clamp_tile(cover, right + 1.0f);
+	int last = (int)cover->tiles - TESTED;
 	size_t start = (size_t)row * cover->tiles;
 	float at_zero =
 		piece->normal[1] * ((float)row + 0.5f) + 0.5f * piece->normal[0] - piece->offset;
 	float dy =
 		larger(larger(piece->min[1] - (float)(row + 1), (float)row - piece->max[1]), 0.0f);
-	for (int x = first; x < end; x += TESTED)
-		cover->rows[row][x / 64] |=
-			(uint64_t)test_tiles(cover, piece, start, x, at_zero, dy * dy) << x % 64;
+	for (; first < end; first += TESTED) {
+		int x = first < last ? first : last;
+		mark(cover->rows[row], x, test_tiles(cover, piece, start, x, at_zero, dy * dy));
+	}
 }
 
 /* Widens [*bottom, *top) to the rows it has marked. */
@@ -229,8 +234,9 @@ static void cover_piece(struct edge_cover *cover, const struct piece *piece, int
 static size_t take_marks(struct edge_cover *cover, int bottom, int top, uint16_t *found)
 {
 	size_t count = 0;
+	int halves = cover->tiles > 64 ? 2 : 1;
 	for (int row = bottom; row < top; row++) {
-		for (int half = 0; half < 2; half++) {
+		for (int half = 0; half < halves; half++) {
 			uint64_t bits = cover->rows[row][half];
 			uint32_t first = (uint32_t)row * cover->tiles + 64 * (uint32_t)half;
 			for (; bits != 0; bits &= bits - 1)
@@ -262,6 +268,7 @@ static struct piece piece_of(const struct edge_cover *cover, const float a[3], c
 		return piece;
 	piece.normal[0] = (float)(-rise / length);
 	piece.normal[1] = (float)(run / length);
+	piece.per_x = fabsf(piece.normal[0]) < 1e-3f ? 0.0f : 1.0f / piece.normal[0];
 	piece.offset = (float)((run * a[1] - rise * a[0]) / length);
 	piece.half = 0.5f * (fabsf(piece.normal[0]) + fabsf(piece.normal[1]));
 	return piece;
