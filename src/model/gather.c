@@ -57,7 +57,8 @@ static bool init(void *state, const struct model_light *light, struct sm_error *
 	gather->snap = ldexp(gather->raster_snap, -(int)options.finer_bits);
 	gather->masks = array_alloc(DISC_MASK_ANGLES * DISC_MASK_DISTANCES, sizeof(*gather->masks));
 	bool made = gather->masks != NULL &&
-		    edge_grid_find(&gather->grid, light->scene, &light->frame, &options);
+		    edge_grid_find(&gather->grid, light->scene, &light->frame, &options) &&
+		    edge_grid_find_stretches(&gather->grid);
 	made = made && layers_init(&gather->layers, &gather->light);
 	if (made)
 		disc_mask_table(gather->masks);

@@ -59,12 +59,33 @@ static size_t fill_tiles(struct edge_grid *grid)
 		grid->of[t] = (struct edge_tile){
 			.first = first,
 			.count_winding = count | (uint32_t)winding << 24,
-			.nearest = count == 0 ? 2.0f : lists->runs[lists->first[t]].start,
+			.nearest = count == 0 ? 2.0f : edge_lists_nearest(lists, t),
 			.farthest = grid->depths.farthest[t],
 		};
 		filled += count != 0;
 	}
 	return filled;
+}
+
+static void show_runs(struct edge_grid *grid)
+{
+	grid->runs = grid->lists.runs;
+	grid->run_count = grid->lists.run_count;
+	grid->vertices = grid->lists.vertices;
+	grid->vertex_count = grid->lists.vertex_count;
+}
+
+static void show_lists(struct edge_grid *grid)
+{
+	const struct edge_lists *lists = &grid->lists;
+	grid->whole = lists->whole;
+	grid->texels = lists->whole ? lists->copies : lists->texels;
+	grid->texel_count = lists->whole ? lists->copy_count : lists->vertex_count;
+	grid->runs = NULL;
+	grid->vertices = NULL;
+	grid->run_count = grid->vertex_count = 0;
+	if (!lists->whole)
+		show_runs(grid);
 }
 
 bool edge_grid_look(struct edge_grid *grid, const struct sm_scene *scene,
@@ -90,13 +111,7 @@ static bool find(struct edge_grid *grid, const struct sm_scene *scene,
 		return false;
 	edge_winding_find(&grid->chains, screen, grid->tiles, grid->winding);
 	size_t filled = fill_tiles(grid);
-	grid->whole = grid->lists.whole;
-	grid->texels = grid->whole ? grid->lists.copies : grid->lists.texels;
-	grid->runs = grid->lists.runs;
-	grid->vertices = grid->lists.vertices;
-	grid->texel_count = grid->whole ? grid->lists.copy_count : grid->lists.vertex_count;
-	grid->run_count = grid->lists.run_count;
-	grid->vertex_count = grid->lists.vertex_count;
+	show_lists(grid);
 	grid->edge_count = grid->chains.edge_count;
 	grid->dropped = grid->lists.dropped;
 	grid->mean_list = filled == 0 ? 0.0f : (float)grid->lists.edge_count / (float)filled;
@@ -113,6 +128,14 @@ bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 	if (!found)
 		edge_grid_forget(grid);
 	return found;
+}
+
+bool edge_grid_find_stretches(struct edge_grid *grid)
+{
+	if (grid->runs == NULL && !edge_lists_make_runs(&grid->lists, &grid->chains))
+		return false;
+	show_runs(grid);
+	return true;
 }
 
 void edge_grid_forget(struct edge_grid *grid)

@@ -63,7 +63,7 @@ struct edge_grid {
 	struct edge_tile *of; /* [tiles * tiles], row after row from the lower left; owned */
 	bool whole;           /* tiles' lists are of texels, not of runs */
 	const struct edge_texel *texels;    /* [texel_count], of lists */
-	const struct edge_run *runs;        /* [run_count], of lists; if they are whole as well */
+	const struct edge_run *runs;        /* [run_count], of lists that are not whole */
 	const struct edge_vertex *vertices; /* [vertex_count], that runs are of */
 	size_t texel_count, run_count, vertex_count;
 	size_t edge_count; /* of the sheets' boundaries */
@@ -85,7 +85,8 @@ struct edge_stretch {
 	uint32_t edges;
 };
 
-/** How many stretches a tile's list is of. */
+/** How many stretches a tile's list is of. Whole lists are of none before
+ *  edge_grid_find_stretches(). */
 static inline uint32_t edge_tile_stretches(
 	const struct edge_grid *grid, const struct edge_tile *tile)
 {
@@ -109,6 +110,9 @@ bool edge_grid_look(struct edge_grid *grid, const struct sm_scene *scene,
  *  is finite. False: out of memory. */
 bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct edge_grid_options *options);
+
+/** Has whole lists be of runs as well, for whom follows chains. False: out of memory. */
+bool edge_grid_find_stretches(struct edge_grid *grid);
 
 /** Has the next search keep nothing of what it found for objects that have not changed. */
 void edge_grid_forget(struct edge_grid *grid);

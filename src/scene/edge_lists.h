@@ -41,26 +41,26 @@ static inline uint32_t edge_run_count(const struct edge_run *run)
 /** Silhouette edges by the tiles they concern. Zero is empty; memory is kept from one search to the
  *  next. */
 struct edge_lists {
-	bool whole;                   /* each list has edges of its own as well */
+	bool whole;                   /* each list has edges of its own */
+	struct edge_texel *copies;    /* [copy_count]: of whole lists, tile after tile; owned */
+	uint32_t *first_copy;         /* [tiles * tiles + 1]: of a tile's copies; owned */
 	struct edge_vertex *vertices; /* [vertex_count]: of all edges that are listed; owned */
 	struct edge_texel *texels;    /* [vertex_count]: from each of them to the next, if there is
 					 an edge; owned */
-	struct edge_texel *copies;    /* [copy_count]: of whole lists, tile after tile; owned */
 	struct edge_run *runs;        /* [run_count]: tile after tile; owned */
 	uint32_t *first;              /* [tiles * tiles + 1]: of a tile's runs; owned */
-	uint32_t *first_copy;         /* likewise, of its copies; owned */
 	size_t vertex_count, copy_count, run_count;
 	size_t edge_count; /* in all lists together */
 	size_t dropped;    /* that there was no room for */
 	/* Working memory; owned */
-	uint16_t *entries;     /* tiles of one edge after the other */
-	uint32_t *entry_ends;  /* of edges, by their first points */
-	struct list_end *ends; /* [tiles * tiles] */
-	uint32_t *nearest;     /* [copy_count]: depths of copies, as they are sorted */
+	uint16_t *entries;       /* tiles of one edge after the other */
+	uint32_t *entry_ends;    /* of edges, by their first points */
+	struct list_end *ends;   /* [tiles * tiles] */
+	struct keyed_edge *keys; /* of the edges that are listed, twice */
+	uint32_t tiles, screen;  /* a side, that the lists are for */
 	size_t entry_count;
 	size_t vertex_capacity, texel_capacity, copy_capacity, run_capacity, first_capacity,
-		first_copy_capacity, entry_capacity, entry_end_capacity, end_capacity,
-		nearest_capacity;
+		first_copy_capacity, entry_capacity, entry_end_capacity, end_capacity, key_capacity;
 };
 
 /** What lists may have in all, each below 2^24: runs and the vertices of those, and if they are
@@ -73,13 +73,19 @@ struct edge_room {
 enum edge_lists_result { EDGE_LISTS_FULL, EDGE_LISTS_MADE, EDGE_LISTS_NO_MEMORY };
 
 /**
- * Lists the edges of all chains. Within a list runs are in the order of their nearest points, and
- * where it is whole edges are: as lists are if most are short, where boxes tell little. If there is
- * too little room: FULL, or with `drop` lists of the edges that are nearest to the light. screen:
- * steps of the raster grid a side.
+ * Lists the edges of all chains, in runs, or whole: as lists are if most are short, where boxes
+ * tell little. Within a list they are in the order of their nearest points. If there is too little
+ * room: FULL, or with `drop` lists of the edges that are nearest to the light. screen: steps of the
+ * raster grid a side.
  */
 enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct edge_chains *chains,
 	struct edge_cover *cover, uint32_t screen, struct edge_room room, bool drop);
+
+/** Makes the runs of whole lists as well, of the chains that these are of. False: out of memory. */
+bool edge_lists_make_runs(struct edge_lists *lists, const struct edge_chains *chains);
+
+/** Depth that no edge in the list of tile t is before, if it has any. */
+float edge_lists_nearest(const struct edge_lists *lists, size_t t);
 
 void edge_lists_finish(struct edge_lists *lists);
 

@@ -344,7 +344,8 @@ static void check_edges(const struct sm_scene *scene)
 	light_frame_fit(&frame, &scene->lights[0].desc, scene);
 	check_frame(&frame, scene);
 	for (size_t i = 0; i < sizeof(options) / sizeof(options[0]); i++) {
-		expect(edge_grid_find(&grid, scene, &frame, &options[i]));
+		expect(edge_grid_find(&grid, scene, &frame, &options[i]) &&
+			edge_grid_find_stretches(&grid));
 		check_edge_grid(&grid, &options[i].room);
 	}
 	edge_grid_finish(&grid);

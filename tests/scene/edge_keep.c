@@ -137,6 +137,7 @@ static void check_moves(struct edge_grid_options options, size_t *kept)
 	for (uint32_t frame = 0; frame < FRAMES; frame++) {
 		struct edge_grid fresh = {0};
 		assert_true(edge_grid_find(&fresh, world.stage.scene, &world.frame, &options));
+		assert_true(edge_grid_find_stretches(&fresh));
 		world_find(&world, &options);
 		assert_same_grid(&world.grid, &fresh);
 		*kept += world.grid.keep.kept_count;

@@ -12,6 +12,7 @@
 void world_find(struct world *world, const struct edge_grid_options *options)
 {
 	assert_true(edge_grid_find(&world->grid, world->stage.scene, &world->frame, options));
+	assert_true(edge_grid_find_stretches(&world->grid));
 }
 
 void world_finish(struct world *world)
