@@ -70,6 +70,17 @@ static size_t count_runs(struct edge_lists *lists, const struct edge_chains *cha
 	return begun;
 }
 
+/* Finds the tiles of an edge if it is listed; returns how many. */
+static size_t list_edge(struct edge_cover *cover, struct depth_limit *limit,
+	const struct chain_point *edge, uint16_t *found)
+{
+	bool all = limit->step == DEPTH_STEPS;
+	if (!all && step_of(limit, edge) > limit->step)
+		return 0;
+	size_t count = edge_cover_find(cover, edge, edge + 1, found);
+	return all || admit(limit, edge, count) ? count : 0;
+}
+
 /* Finds each edge's tiles, and counts their runs. Stops where there are too many. */
 static enum edge_lists_result collect(struct edge_lists *lists, const struct edge_chains *chains,
 	struct edge_cover *cover, struct edge_room room, struct depth_limit limit)
@@ -84,9 +95,7 @@ static enum edge_lists_result collect(struct edge_lists *lists, const struct edg
 				    lists->entry_count + tiles, sizeof(*lists->entries)))
 				return EDGE_LISTS_NO_MEMORY;
 			uint16_t *found = &lists->entries[lists->entry_count];
-			size_t count = edge_cover_find(cover, edge, edge + 1, found);
-			if (limit.step < DEPTH_STEPS && !admit(&limit, edge, count))
-				count = 0;
+			size_t count = list_edge(cover, &limit, edge, found);
 			lists->run_count += count_runs(lists, chains, i, found, count);
 			lists->entry_count += count;
 		}
@@ -98,18 +107,20 @@ static enum edge_lists_result collect(struct edge_lists *lists, const struct edg
 	return EDGE_LISTS_MADE;
 }
 
-/* Of so many stretches of edges one is tried first. */
+/* Of so many stretches of edges at least, one is tried first; and about so many edges of more. */
 #define SAMPLED 8
+#define SAMPLED_EDGES 4096
 
 /* Whether an even sample of the edges says that there will be too many runs. */
 static bool looks_full(struct edge_lists *lists, const struct edge_chains *chains,
 	struct edge_cover *cover, size_t runs_max)
 {
-	size_t sum = 0, sampled = 0;
+	size_t sum = 0, sampled = 0, apart = chains->count / SAMPLED_EDGES;
+	apart = apart > SAMPLED ? apart : SAMPLED;
 	clear_ends(lists);
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *edge = &chains->points[i];
-		if (i / EDGE_RUN_MAX % SAMPLED != 0)
+		if (i / EDGE_RUN_MAX % apart != 0)
 			continue;
 		sampled++;
 		if (edge->sheets > 0)
@@ -176,7 +187,7 @@ static enum edge_lists_result collect_nearest(struct edge_lists *lists,
 	struct step_sums added[DEPTH_STEPS], sum = {0};
 	find_depth_range(chains, &limit);
 	size_t entries = count_by_depth(lists, chains, cover, &limit, added);
-	for (limit.step = 0; limit.step < DEPTH_STEPS - 1; limit.step++) {
+	for (limit.step = 0; limit.step < DEPTH_STEPS; limit.step++) {
 		const struct step_sums *step = &added[limit.step];
 		if (sum.runs + step->runs > (int64_t)room.runs ||
 			sum.vertices + step->vertices > (int64_t)room.vertices)
@@ -218,9 +229,9 @@ enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct ed
 	lists->dropped = 0;
 	if (!reserve(lists, tiles, chains->count))
 		return EDGE_LISTS_NO_MEMORY;
-	if (!drop && looks_full(lists, chains, cover, room.runs))
-		return EDGE_LISTS_FULL;
-	enum edge_lists_result result = collect(lists, chains, cover, room, no_limit);
+	enum edge_lists_result result = EDGE_LISTS_FULL;
+	if (!looks_full(lists, chains, cover, room.runs))
+		result = collect(lists, chains, cover, room, no_limit);
 	if (result == EDGE_LISTS_FULL && drop)
 		result = collect_nearest(lists, chains, cover, room);
 	if (result != EDGE_LISTS_MADE)
