@@ -110,6 +110,8 @@ static enum edge_lists_result collect(struct edge_lists *lists, const struct edg
 /* Of so many stretches of edges at least, one is tried first; and about so many edges of more. */
 #define SAMPLED 8
 #define SAMPLED_EDGES 4096
+/* Fewer are quickly listed. */
+#define SAMPLED_MIN 512
 
 /* Whether an even sample of the edges says that there will be too many runs. */
 static bool looks_full(struct edge_lists *lists, const struct edge_chains *chains,
@@ -117,6 +119,8 @@ static bool looks_full(struct edge_lists *lists, const struct edge_chains *chain
 {
 	size_t sum = 0, sampled = 0, apart = chains->count / SAMPLED_EDGES;
 	apart = apart > SAMPLED ? apart : SAMPLED;
+	if (chains->count < SAMPLED_MIN)
+		return false;
 	clear_ends(lists);
 	for (size_t i = 0; i + 1 < chains->count; i++) {
 		const struct chain_point *edge = &chains->points[i];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/tile_depths.h"
 #include "base/array.h"
+#include "base/float_range.h"
 #include "scene/tile_fill.h"
 #include <math.h>
 #include <stdlib.h>
@@ -224,7 +225,7 @@ static void halve(float *to, const float *from, uint32_t tiles)
 			const float *high = low + tiles;
 			/* Written no later than it is read. */
 			to[(size_t)y * half + x] =
-				fmaxf(fmaxf(low[0], low[1]), fmaxf(high[0], high[1]));
+				larger(larger(low[0], low[1]), larger(high[0], high[1]));
 		}
 	}
 }
