@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/silhouette_track.h"
 #include "base/array.h"
-#include "geom/set_search.h"
+#include "geom/set_renewal.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -223,71 +223,6 @@ static void list_part(void *data, unsigned index)
 	}
 }
 
-/* Goes through a set, from the kept edges to the next. */
-struct set_renewal {
-	const struct silhouette_edge *kept; /* the set's */
-	struct silhouette_edge *next;
-	uint16_t *starts;
-	size_t from, to; /* places among these */
-};
-
-static void copy_edges(struct silhouette_edge *to, const struct silhouette_edge *from, size_t count)
-{
-	if (count > 0)
-		memcpy(to, from, count * sizeof(*to));
-}
-
-/* Takes over the kept edges of blocks from first up to end, which are those up to `behind`. */
-static void keep_blocks(struct set_renewal *renewal, size_t first, size_t end, size_t behind)
-{
-	size_t count = behind - renewal->from, shift = renewal->to - renewal->from;
-	copy_edges(&renewal->next[renewal->to], &renewal->kept[renewal->from], count);
-	for (size_t b = first; b < end; b++)
-		renewal->starts[b] = (uint16_t)(renewal->starts[b] + shift);
-	renewal->from += count;
-	renewal->to += count;
-}
-
-/* Moves the kept edges, `size`, of a set of `count` blocks to where they go, with room between
- * them; shifts: from places in the list to places among the next edges, of each block that is
- * renewed. */
-static void make_room(struct set_renewal *renewal, size_t count, size_t size, uint64_t renew,
-	const uint16_t *ends, size_t shifts[EDGE_BLOCK_SET])
-{
-	uint16_t *starts = renewal->starts;
-	size_t b = 0, listed = 0;
-	for (; renew != 0; renew &= renew - 1) {
-		size_t place = (size_t)__builtin_ctzll(renew);
-		keep_blocks(renewal, b, place, starts[place]);
-		b = place + 1;
-		renewal->from = b < count ? starts[b] : size;
-		starts[place] = (uint16_t)renewal->to;
-		shifts[place] = renewal->to - listed;
-		renewal->to += *ends - listed;
-		listed = *ends++;
-	}
-	keep_blocks(renewal, b, count, size);
-}
-
-/* Writes the edges of a set, `size` of which are kept; returns what is listed behind it. */
-static const uint16_t *write_set(const struct search *search, size_t set, size_t size,
-	struct set_renewal *renewal, const uint16_t *listed)
-{
-	const struct silhouette_track *track = search->track;
-	const struct set_search blocks = {
-		search->test->caster, track->facing.facing, set * EDGE_BLOCK_SET};
-	uint64_t renew = track->renew[set];
-	size_t shifts[EDGE_BLOCK_SET], ends = (size_t)__builtin_popcountll(renew);
-	size_t count = listed[ends - 1];
-	const uint16_t *corners = &listed[ends];
-	for (size_t i = 0; i < count; i++)
-		set_search_fetch(&blocks, corners[i]);
-	make_room(renewal, set_size(track, set), size, renew, listed, shifts);
-	for (size_t i = 0; i < count; i++)
-		renewal->next[i + shifts[corners[i] / 256]] = set_search_edge(&blocks, corners[i]);
-	return &corners[count];
-}
-
 static void write_part(void *data, unsigned index)
 {
 	const struct search *search = data;
@@ -296,16 +231,15 @@ static void write_part(void *data, unsigned index)
 	const uint16_t *listed = part->listed;
 	size_t begin = part->kept_begin, out = part->out;
 	for (size_t set = part->first; set < part->end; set++) {
-		size_t end = set_end(track, part, set), size = end - begin;
+		const struct set_search blocks = {
+			search->test->caster, track->facing.facing, set * EDGE_BLOCK_SET};
+		size_t end = set_end(track, part, set);
 		struct set_renewal renewal = {.kept = &track->kept[begin],
+			.size = end - begin,
 			.next = &track->next[out],
-			.starts = &track->starts[set * EDGE_BLOCK_SET]};
-		if (track->renew[set] != 0) {
-			listed = write_set(search, set, size, &renewal, listed);
-		} else {
-			copy_edges(renewal.next, renewal.kept, size);
-			renewal.to = size;
-		}
+			.starts = &track->starts[set * EDGE_BLOCK_SET],
+			.count = set_size(track, set)};
+		listed = set_renewal_write(&renewal, &blocks, track->renew[set], listed);
 		track->set_starts[set] = out;
 		out += renewal.to;
 		begin = end;
