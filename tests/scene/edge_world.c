@@ -12,6 +12,8 @@
 void world_find(struct world *world, const struct edge_grid_options *options)
 {
 	assert_true(edge_grid_find(&world->grid, world->stage.scene, &world->frame, options));
+	/* Nothing but tests and the model follows chains of whole lists. */
+	assert_int_equal(world->grid.runs == NULL, world->grid.whole);
 	assert_true(edge_grid_find_stretches(&world->grid));
 }
 
