@@ -52,17 +52,16 @@ static size_t fill_tiles(struct edge_grid *grid)
 	const struct edge_lists *lists = &grid->lists;
 	size_t filled = 0;
 	for (size_t t = 0; t < (size_t)grid->tiles * grid->tiles; t++) {
-		const uint32_t *firsts = lists->whole ? lists->first_copy : lists->first;
-		uint32_t first = firsts[t], count = firsts[t + 1] - first;
+		struct edge_list list = edge_lists_of(lists, t);
 		int32_t winding = grid->winding[t] + WINDING_BIAS;
 		winding = winding < 0 ? 0 : winding > 255 ? 255 : winding;
 		grid->of[t] = (struct edge_tile){
-			.first = first,
-			.count_winding = count | (uint32_t)winding << 24,
-			.nearest = count == 0 ? 2.0f : edge_lists_nearest(lists, t),
+			.first = list.first,
+			.count_winding = list.count | (uint32_t)winding << 24,
+			.nearest = list.count == 0 ? 2.0f : list.nearest,
 			.farthest = grid->depths.farthest[t],
 		};
-		filled += count != 0;
+		filled += list.count != 0;
 	}
 	return filled;
 }

@@ -219,11 +219,6 @@ static bool are_short(const struct edge_lists *lists, size_t tiles)
 	return lists->entry_count <= SHORT_LIST * filled;
 }
 
-float edge_lists_nearest(const struct edge_lists *lists, size_t t)
-{
-	return lists->ends[t].nearest;
-}
-
 enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct edge_chains *chains,
 	struct edge_cover *cover, uint32_t screen, struct edge_room room, bool drop)
 {
@@ -258,7 +253,6 @@ void edge_lists_finish(struct edge_lists *lists)
 	free(lists->keys);
 	free(lists->runs);
 	free(lists->first);
-	free(lists->first_copy);
 	free(lists->entries);
 	free(lists->entry_ends);
 	free(lists->ends);
@@ -270,8 +264,7 @@ size_t edge_lists_bytes(const struct edge_lists *lists)
 	return lists->vertex_capacity * sizeof(*lists->vertices) +
 	       (lists->texel_capacity + lists->copy_capacity) * sizeof(*lists->texels) +
 	       lists->run_capacity * sizeof(*lists->runs) +
-	       (lists->first_capacity + lists->first_copy_capacity + lists->entry_end_capacity) *
-		       sizeof(uint32_t) +
+	       (lists->first_capacity + lists->entry_end_capacity) * sizeof(uint32_t) +
 	       lists->key_capacity * sizeof(*lists->keys) +
 	       lists->end_capacity * sizeof(*lists->ends) +
 	       lists->entry_capacity * sizeof(*lists->entries);

@@ -38,12 +38,18 @@ static inline uint32_t edge_run_count(const struct edge_run *run)
 	return run->first_count >> 24;
 }
 
+/** What becomes of a list. */
+struct list_end {
+	uint32_t last_edge;   /* 1 + the one that was listed last */
+	uint32_t runs, edges; /* how many; once it is written, where it ends among those of all */
+	float nearest;        /* depth of its edges */
+};
+
 /** Silhouette edges by the tiles they concern. Zero is empty; memory is kept from one search to the
  *  next. */
 struct edge_lists {
 	bool whole;                   /* each list has edges of its own */
 	struct edge_texel *copies;    /* [copy_count]: of whole lists, tile after tile; owned */
-	uint32_t *first_copy;         /* [tiles * tiles + 1]: of a tile's copies; owned */
 	struct edge_vertex *vertices; /* [vertex_count]: of all edges that are listed; owned */
 	struct edge_texel *texels;    /* [vertex_count]: from each of them to the next, if there is
 					 an edge; owned */
@@ -60,7 +66,7 @@ struct edge_lists {
 	uint32_t tiles, screen;  /* a side, that the lists are for */
 	size_t entry_count;
 	size_t vertex_capacity, texel_capacity, copy_capacity, run_capacity, first_capacity,
-		first_copy_capacity, entry_capacity, entry_end_capacity, end_capacity, key_capacity;
+		entry_capacity, entry_end_capacity, end_capacity, key_capacity;
 };
 
 /** What lists may have in all, each below 2^24: runs and the vertices of those, and if they are
@@ -84,8 +90,19 @@ enum edge_lists_result edge_lists_make(struct edge_lists *lists, const struct ed
 /** Makes the runs of whole lists as well, of the chains that these are of. False: out of memory. */
 bool edge_lists_make_runs(struct edge_lists *lists, const struct edge_chains *chains);
 
-/** Depth that no edge in the list of tile t is before, if it has any. */
-float edge_lists_nearest(const struct edge_lists *lists, size_t t);
+/** Where the list of a tile is, among runs, or copies if it is whole. */
+struct edge_list {
+	uint32_t first, count;
+	float nearest; /* depth that none of its edges is before, if it has any */
+};
+
+static inline struct edge_list edge_lists_of(const struct edge_lists *lists, size_t t)
+{
+	const struct list_end *end = &lists->ends[t];
+	uint32_t first = t == 0 ? 0 : lists->whole ? end[-1].edges : end[-1].runs;
+	uint32_t behind = lists->whole ? end->edges : end->runs;
+	return (struct edge_list){first, behind - first, end->nearest};
+}
 
 void edge_lists_finish(struct edge_lists *lists);
 

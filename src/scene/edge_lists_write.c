@@ -135,11 +135,9 @@ static void place_edges(struct edge_lists *lists, size_t tiles)
 	uint32_t sum = 0;
 	for (size_t t = 0; t < tiles; t++) {
 		uint32_t count = lists->ends[t].edges;
-		lists->first_copy[t] = sum;
 		lists->ends[t].edges = sum;
 		sum += count;
 	}
-	lists->first_copy[tiles] = sum;
 }
 
 /* The edges that are listed, and their texels beside them, in the chains' order. */
@@ -221,9 +219,7 @@ bool edge_lists_make_whole(struct edge_lists *lists, const struct edge_chains *c
 		!array_reserve((void **)&lists->keys, &lists->key_capacity,
 			2 * lists->vertex_count + 1, sizeof(*lists->keys)) ||
 		!array_reserve((void **)&lists->copies, &lists->copy_capacity,
-			lists->copy_count + 1, sizeof(*lists->copies)) ||
-		!array_reserve((void **)&lists->first_copy, &lists->first_copy_capacity, tiles + 1,
-			sizeof(*lists->first_copy)))
+			lists->copy_count + 1, sizeof(*lists->copies)))
 		return false;
 	write_whole(lists, chains, tiles, lists->screen);
 	return true;

@@ -5,13 +5,6 @@
 #include "base/float_range.h"
 #include "scene/edge_lists.h"
 
-/** A list that is being made. */
-struct list_end {
-	uint32_t last_edge;   /* 1 + the one that was listed last */
-	uint32_t runs, edges; /* how many; then where the next one goes */
-	float nearest;        /* depth of its edges */
-};
-
 /** An edge that is listed, by its first point. */
 struct keyed_edge {
 	uint32_t nearest; /* edge_texel_nearest() */
