@@ -274,6 +274,7 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 	if (pass->flags & FLAG_VISIBILITY && renderer->shadows.technique->show != NULL)
 		return renderer->shadows.technique->show(
 			renderer->lights[0].shadow->state, &renderer->gpu, error);
+	gl_finish_passes(gl);
 	clear(gl, pass->scene, pass->flags);
 	pass->first = true;
 	set_pass_state(gl, true);

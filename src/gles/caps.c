@@ -7,8 +7,8 @@
 
 static_assert(CAP_COUNT <= 32, "sets of caps are words");
 
-/* A cap is an extension, or else it is found out by a probe (probe.c), which takes a version and
- * one cap of each set. */
+/* A cap is an extension, or known by the driver's name, or else it is found out by a probe
+ * (probe.c), which takes a version and one cap of each set. */
 struct cap_info {
 	const char *name;
 	const char *extension; /* NULL: none */
@@ -60,6 +60,9 @@ static const struct cap_info infos[CAP_COUNT] = {
 	[CAP_FILTER_RGBA16F] = {.name = "filter_rgba16f", .any = HALF_TARGETS},
 	/* Pixels that a branch passes over take as long as those that it does not. */
 	[CAP_SLOW_BRANCH] = {.name = "slow_branch"},
+	/* In the midst of a pass, at the first texture that another has drawn, the driver ends what
+	 * is drawn until then and waits for all of it. */
+	[CAP_LATE_WAIT] = {.name = "late_wait"},
 	[CAP_SRGB_STORED] = {.name = "srgb_stored", .any = CAP_BIT(TEXTURE_SRGB_DECODE)},
 };
 
@@ -181,6 +184,15 @@ static void find_extensions(struct caps *caps, struct gl *gl)
 	}
 }
 
+/* What takes a clock to see, and is the same wherever the driver runs. */
+static void find_habits(struct caps *caps)
+{
+	static const char name[] = "llvmpipe";
+	bool waits = caps->renderer != NULL && strncmp(caps->renderer, name, strlen(name)) == 0;
+	if (!caps->found[CAP_LATE_WAIT].taken)
+		caps_note(caps, CAP_LATE_WAIT, waits, "%s", waits ? name : "another driver");
+}
+
 bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_error *error)
 {
 	*caps = (struct caps){
@@ -201,6 +213,7 @@ bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_err
 	if (!override(caps, list, error))
 		return false;
 	find_extensions(caps, gl);
+	find_habits(caps);
 	return true;
 }
 

@@ -63,6 +63,20 @@ void gl_pop_group(struct gl *gl)
 		gl->PopDebugGroup();
 }
 
+void gl_begin_pass(struct gl *gl)
+{
+	if (gl->finishes_passes)
+		gl->Finish();
+	gl->has_passes = true;
+}
+
+void gl_finish_passes(struct gl *gl)
+{
+	if (gl->finishes_passes && gl->has_passes)
+		gl->Finish();
+	gl->has_passes = false;
+}
+
 #define GL_OBJECT(kind, Kind)                              \
 	GLuint gl_create_##kind(struct gl *gl)             \
 	{                                                  \

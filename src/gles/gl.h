@@ -127,7 +127,9 @@ struct gl {
 	struct sm_pass_observer observer;
 	const char *group; /* that is open; NULL: none */
 	struct storages storages;
-	uint32_t light; /* that textures and buffers are made for; SM_NONE: none alone */
+	uint32_t light;       /* that textures and buffers are made for; SM_NONE: none alone */
+	bool finishes_passes; /* that were begun, before what follows them */
+	bool has_passes;      /* begun and not finished since */
 	struct shared_target *shared_targets; /* of target.h, a list; owned by those who use them */
 };
 
@@ -144,6 +146,13 @@ void gl_load_texture_view(struct gl *gl, sm_get_proc get_proc);
 /** Bracket a pass, for debuggers (KHR_debug) and the observer. Passes do not nest. */
 void gl_push_group(struct gl *gl, const char *name);
 void gl_pop_group(struct gl *gl);
+
+/** Before a pass binds the textures that it draws into: finishes what was drawn before, where the
+ *  driver would wait for it in the midst of the pass. */
+void gl_begin_pass(struct gl *gl);
+
+/** Before what such passes were drawn for: finishes them, likewise. */
+void gl_finish_passes(struct gl *gl);
 
 /* Objects are counted, so that a leak is noticed when the renderer goes. Deleting 0 is fine, and
  * sets *name to 0. Textures and buffers are 0 without memory, and GL then refuses to fill them. */

@@ -16,7 +16,10 @@ bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, const struct sm_driver_opti
 		gl_load_debug(&gpu->gl, get_proc);
 	if (gpu_has(gpu, CAP_TEXTURE_VIEW))
 		gl_load_texture_view(&gpu->gl, get_proc);
-	return ways_force(gpu, options->paths, options->path_count, error);
+	if (!ways_force(gpu, options->paths, options->path_count, error))
+		return false;
+	gpu->gl.finishes_passes = way_choose(gpu, DRIVER_PASSES, NULL) == PASSES_FINISHED;
+	return true;
 }
 
 void gpu_finish(struct gpu *gpu)

@@ -192,6 +192,7 @@ void target_finish(struct target *target, struct gl *gl)
 
 void target_bind(const struct target *target, struct gl *gl)
 {
+	gl_begin_pass(gl);
 	gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
 	gl->Viewport(0, 0, target->size, target->size);
 }

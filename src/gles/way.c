@@ -78,6 +78,13 @@ static const struct {
 			0, 0, CAP_BIT(SLOW_BRANCH)},
 		[BRANCH_SHADER] = {"shader", "in one pass, by a branch", 0, 0},
 	}},
+	/* A driver that waits anyway is to do so before a pass, not in its midst, where that tears
+	 * its clear off: each tile is then stored and loaded once more. */
+	[DRIVER_PASSES] = {"passes", "passes whose textures others draw", {
+		[PASSES_FINISHED] = {"finished", "each begun when those before it are done",
+			0, 0, CAP_BIT(LATE_WAIT)},
+		[PASSES_QUEUED] = {"queued", "one after the other", 0, 0},
+	}},
 };
 /* clang-format on */
 

@@ -15,6 +15,7 @@ enum driver_need {
 	DRIVER_MOMENTS,
 	DRIVER_COPY,
 	DRIVER_BRANCH,
+	DRIVER_PASSES,
 	DRIVER_NEEDS,
 };
 
@@ -34,6 +35,7 @@ enum taps_way { TAPS_GATHER, TAPS_FETCH };
 enum moments_way { MOMENTS_RG32F, MOMENTS_RG32F_FETCH, MOMENTS_RGBA16F, MOMENTS_RGBA16F_FETCH };
 enum copy_way { COPY_STORED, COPY_ENCODE };
 enum branch_way { BRANCH_EARLY_DEPTH, BRANCH_SHADER };
+enum passes_way { PASSES_FINISHED, PASSES_QUEUED };
 
 /** One way to meet a need. */
 struct driver_way {

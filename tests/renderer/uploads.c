@@ -166,12 +166,15 @@ static void (*get_proc(const char *name))(void)
 	return platform_get_proc(name);
 }
 
+/* One that passes need not wait for. */
 static void use_driver(struct rig *rig, unsigned int lag)
 {
+	static const char *const path = "passes=queued";
 	memset(&driver, 0, sizeof(driver));
 	driver.lag = lag;
 	sm_renderer_destroy(rig->renderer);
-	rig->renderer = sm_renderer_create(get_proc, NULL);
+	rig->renderer = sm_renderer_create_with(
+		get_proc, &(struct sm_driver_options){.paths = &path, .path_count = 1}, NULL);
 	assert_non_null(rig->renderer);
 	assert_true(sm_renderer_set_skips(rig->renderer, "-all", NULL));
 }
