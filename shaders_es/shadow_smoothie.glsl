@@ -28,7 +28,7 @@ vec4 shade(vec2 corner, float depth, vec4 lit)
 {
 	const int ONE = 0x3c00 << 13;
 	const float SCALE = 5.192296858534828e33; // 2^112
-	ivec4 word = textureGather(smoothie_words, (corner + 1.0) * map_size.y);
+	ivec4 word = textureGather(smoothie_words, gather_place(corner));
 	bvec4 behind = lessThan(word & 0xffff, ivec4(half_above(depth)));
 	ivec4 alpha = mix(ivec4(ONE), (word >> 16) << 13, behind);
 	return lit * SCALE * intBitsToFloat(alpha);
@@ -54,7 +54,7 @@ float shadow_visibility(vec3 p)
 {
 	vec3 s = on_screen(p);
 	float depth = receiver_depth(s);
-	taps t = taps_at(s.xy);
+	taps t = gathered_taps_at(s.xy);
 	vec4 lit = fetch_lit(t.corner, depth);
 	return blend(t, shade(t.corner, linear_depth(depth) - SMOOTHIE_STEP, lit));
 }

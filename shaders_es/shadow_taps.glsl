@@ -15,15 +15,30 @@ taps taps_at(vec2 s)
 	return taps(corner, texel - corner);
 }
 
-// Whether the four at a corner, which may lie beside the map, are lit at a depth.
 #ifdef GATHER
-vec4 fetch_lit(vec2 corner, float depth)
+// The same where they are gathered alone, which leads to border texels by itself.
+taps gathered_taps_at(vec2 s)
 {
-	return textureGather(depth_compare, (corner + 1.0) * map_size.y, depth);
+	vec2 texel = s * map_size.x - 0.5;
+	vec2 corner = floor(texel);
+	return taps(corner, texel - corner);
 }
 
-#define FETCH(map, channel, corner) textureGather(map, (corner + 1.0) * map_size.y, channel)
+// llvmpipe divides in less time than it reads a further uniform.
+vec2 gather_place(vec2 corner)
+{
+	return (corner + 1.0) * (1.0 / map_size.x);
+}
+
+// Whether the four at a corner, which may lie beside the map, are lit at a depth.
+vec4 fetch_lit(vec2 corner, float depth)
+{
+	return textureGather(depth_compare, gather_place(corner), depth);
+}
+
+#define FETCH(map, channel, corner) textureGather(map, gather_place(corner), channel)
 #else
+#define gathered_taps_at taps_at
 // A map of one texel has its corner beside the map.
 #define FETCH_AT(map, channel, x, y) texelFetch(map, max(ivec2(x, y), 0), 0)[channel]
 #define FETCH(map, channel, corner)                                                                \
