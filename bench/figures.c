@@ -29,7 +29,7 @@ struct options {
 struct player {
 	struct stage stage;
 	struct sm_renderer *renderer;
-	double times[ROUNDS_MAX]; /* ms */
+	double times[ROUNDS_MAX], walls[ROUNDS_MAX]; /* of all processors, and by the clock; ms */
 };
 
 struct bench {
@@ -38,13 +38,18 @@ struct bench {
 	GLuint framebuffer, buffers[2];
 };
 
+static double read_ms(clockid_t clock)
+{
+	struct timespec now;
+	clock_gettime(clock, &now);
+	return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
+
 /* Of all threads, since the driver may be some. */
 static double now_ms(void)
 {
-	struct timespec now;
 	glFinish();
-	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-	return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+	return read_ms(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 static void init_target(struct bench *bench)
@@ -135,11 +140,14 @@ static bool time_pair(const struct bench *bench, struct player *players, struct 
 		for (int i = 0; i < 2; i++) {
 			/* Neither is always the one that comes after the other. */
 			struct player *player = &players[(i + round) & 1];
+			double start = read_ms(CLOCK_MONOTONIC);
 			double ms = time_frame(bench, player, round, error);
 			if (ms < 0.0)
 				return false;
-			if (round >= 0)
-				player->times[round] = ms;
+			if (round < 0)
+				continue;
+			player->times[round] = ms;
+			player->walls[round] = read_ms(CLOCK_MONOTONIC) - start;
 		}
 	}
 	return true;
@@ -160,9 +168,10 @@ static bool compare(const struct bench *bench, struct player *players, struct sm
 		if (!time_pair(bench, players, error))
 			return false;
 		double ratio = ratio_of(bench, players[0].times, players[1].times);
-		printf("  %s %.2f / %.2f ms = %.3f", ways[i].name,
+		double wall = ratio_of(bench, players[0].walls, players[1].walls);
+		printf("  %s %.2f / %.2f ms = %.3f (wall %.3f)", ways[i].name,
 			statistics_median(players[0].times, bench->options->rounds),
-			statistics_median(players[1].times, bench->options->rounds), ratio);
+			statistics_median(players[1].times, bench->options->rounds), ratio, wall);
 	}
 	return true;
 }
@@ -348,7 +357,7 @@ static void usage(FILE *file)
 {
 	fputs("usage: bench-figures [-f FIGURE] [-s PIXELS] [-m TEXELS] [-n ROUNDS] [-t TECHNIQUE] "
 	      "[SCENE...]\n"
-	      "Times, of all processors, frames in which there is little to do.\n"
+	      "Times, of all processors and by the clock, frames in which there is little to do.\n"
 	      "  -f  view, lights or penumbra; all\n"
 	      "  -s  pixels a side of the picture (1024)\n"
 	      "  -m  texels a side of the shadow map (1024)\n"
