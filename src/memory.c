@@ -12,7 +12,7 @@ static size_t text_bytes(const char *text)
 
 static void list_casters(const struct memory_list *list, const struct sm_scene *scene)
 {
-	size_t positions = 0, indices = 0, edges = 0, planes = 0, cones = 0;
+	size_t positions = 0, indices = 0, edges = 0, planes = 0, cones = 0, hollows = 0;
 	for (size_t i = 0; i < scene->mesh_count; i++) {
 		const struct caster *caster = &scene->meshes[i].caster;
 		positions += caster->vertex_count *
@@ -21,12 +21,14 @@ static void list_casters(const struct memory_list *list, const struct sm_scene *
 		edges += edge_table_bytes(&caster->edges);
 		planes += face_planes_bytes(&caster->planes);
 		cones += face_cones_bytes(&caster->cones);
+		hollows += hollows_bytes(&caster->hollows);
 	}
 	memory_list_processor(list, "casters: positions", positions);
 	memory_list_processor(list, "casters: indices", indices);
 	memory_list_processor(list, "casters: edges", edges);
 	memory_list_processor(list, "casters: planes", planes);
 	memory_list_processor(list, "casters: cones", cones);
+	memory_list_processor(list, "casters: hollows", hollows);
 }
 
 static void list_surfaces(const struct memory_list *list, const struct sm_scene *scene)

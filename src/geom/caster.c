@@ -96,6 +96,9 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 	if (!face_cones_init(&caster->cones, &caster->planes, (const float(*)[3])caster->positions,
 		    caster->indices, caster->triangle_count))
 		goto error;
+	if (!hollows_init(&caster->hollows, (const float(*)[3])caster->positions, caster->indices,
+		    &caster->edges, caster->found.closed_count))
+		goto error;
 	return true;
 error:
 	caster_finish(caster);
@@ -121,5 +124,6 @@ void caster_finish(struct caster *caster)
 	edge_table_finish(&caster->edges);
 	face_planes_finish(&caster->planes);
 	face_cones_finish(&caster->cones);
+	hollows_finish(&caster->hollows);
 	*caster = (struct caster){0};
 }

@@ -5,6 +5,7 @@
 #include "geom/cones.h"
 #include "geom/edges.h"
 #include "geom/face.h"
+#include "geom/hollows.h"
 #include "geom/orientation.h"
 
 /** A mesh as its silhouettes are searched: welded by position alone, wound consistently, in a
@@ -20,6 +21,7 @@ struct caster {
 	struct edge_table edges;
 	struct face_planes planes;
 	struct face_cones cones;
+	struct hollows hollows;
 };
 
 /**
@@ -32,8 +34,8 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 void caster_finish(struct caster *caster);
 
 /** Moves vertices: positions as for caster_init(), of as many vertices. What was welded stays so,
- *  and windings, parts and edges are those of the first positions. The cones are dropped: they
- *  take longer to make than triangles take to test. */
+ *  and windings, parts, edges and hollows are those of the first positions. The cones are dropped:
+ * they take longer to make than triangles take to test. */
 void caster_move(struct caster *caster, const float (*positions)[3]);
 
 #endif
