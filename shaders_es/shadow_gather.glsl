@@ -12,6 +12,9 @@ uniform float tile_count;  // a side
 uniform float disc_scale;  // radius of the disc, window x or y, over the depth before the receiver
 uniform float pole;        // K, see scene/light.h
 uniform float depth_noise; // of vertices far from their origin, whose floats are coarse
+#ifdef HOLLOWS
+uniform int hollow_base;   // texel of the edge map from which on triangles over hollows are
+#endif
 uniform float snap;        // by how much points of edges and sheets are moved, window x or y
 #ifdef COARSE
 uniform float raster_snap; // and by the raster grid, which the outlines of sheets follow
@@ -40,6 +43,9 @@ const uvec2 BOX_SHIFT = uvec2(0u, 16u);
 const int WINDING_MAX = 15;
 // So many leave nothing to edges.
 const int HIDDEN = 1024;
+// Of a triangle over a hollow, and steps of its depths.
+const int HOLLOW_TEXELS = 4;
+const float HOLLOW_DEPTHS = 65536.0;
 
 // Tables and maps are looked up where texels have their middles: texelFetch() is the same, but twice
 // as dear to llvmpipe, which finds level, size and stride of each lane. rows: 1 / those of the table.
@@ -453,14 +459,69 @@ void pass_edge(inout sums sum, edge edge, crossing at, int sheets, origin from)
 	sum.own += own ? at.turn * sheets : 0;
 }
 
+// A tile's triangles over hollows, as texels of scene/edge_hollows.h: the edges of the first to the
+// last one that counts, and a bit for each that does.
+struct hollows {
+	int start;      // of all
+	int first, end; // those to walk along
+	uint over;
+};
+
+// Those that the receiver is before the planes of, as deep as what they hide the disc from. That is
+// one fetch for each: few tiles have any, and hardly a receiver is where one counts.
+hollows hollows_over(receiver r, uvec4 tile, bool any)
+{
+	hollows found = hollows(0, 0, 0, 0u);
+#ifdef HOLLOWS
+	eye eye = eye_of(r);
+	float rows = row_share(textureSize(edge_map, 0)), depth = r.s.z * HOLLOW_DEPTHS;
+	int count = any ? int(tile.y >> 17 & 127u) : 0;
+	found.start = hollow_base + HOLLOW_TEXELS * int(tile.x >> 17);
+	for (int i = 0; i < count;) {
+		vec2 at = table_place(found.start + 3 * count + i, rows);
+		uvec4 plane = textureLod(edge_map, at, 0.0);
+		float least = dot(uintBitsToFloat(plane.xy), eye.at) + uintBitsToFloat(plane.z);
+		float near = float(plane.w & 0xffffu), far = float(plane.w >> 16);
+		bool counts = least > eye.depth && depth > near && depth < far;
+		int edges = found.start + 3 * i;
+		found.first = counts && found.over == 0u ? edges : found.first;
+		found.end = counts ? edges + 3 : found.end;
+		found.over |= counts ? 1u << i : 0u;
+		i++;
+		if (i >= count)
+			break;
+	}
+#endif
+	return found;
+}
+
+// Whether an edge is of none of these, or of one that counts.
+bool is_over(hollows hollows, int i)
+{
+#ifdef HOLLOWS
+	// A third, of less than 96.
+	int triangle = max(i - hollows.start, 0) * 171 >> 9;
+	return i < hollows.start || (hollows.over >> (triangle & 31) & 1u) != 0u;
+#else
+	return true;
+#endif
+}
+
 // Walks along edges. One between the origin and the receiver is where a sheet starts or ends. In whole
 // lists, which are in the order of their nearest ends, leaves them where the rest plays no part.
-void walk_edges(inout sums sum, receiver r, origin from, int first, int end)
+void walk_edges(inout sums sum, receiver r, origin from, int first, int end, hollows hollows)
 {
 	float rows = row_share(textureSize(edge_map, 0)), deepest = from.deepest * DEPTH_STEPS;
 	eye eye = eye_of(r);
 	way way = way_of(r, from);
-	for (int i = first; i < end;) {
+	int i = first;
+#if defined(HOLLOWS) && !defined(RUNS)
+	bool last = i >= end;
+	i = last ? hollows.first : i;
+	end = last ? hollows.end : end;
+	deepest = last ? DEPTH_STEPS : deepest;
+#endif
+	while (i < end) {
 		bool plays = false;
 		uvec4 texel = uvec4(0u);
 		// To the next edge that may be before the disc: where some lanes of a processor
@@ -484,13 +545,20 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end)
 				break;
 		}
 		edge edge = edge_of(texel, eye);
-		bool two = (texel.w & 1u) != 0u, hit = may_hit(edge, eye);
+		bool two = (texel.w & 1u) != 0u, hit = may_hit(edge, eye) && is_over(hollows, i - 1);
 		// Ways do not count a grazing triangle's.
 		int sheets = two ? 2 : 1 - int(texel.y & 1u);
 		if (plays)
 			pass_edge(sum, edge, crossing_of(edge, eye, way), sheets, from);
 		if (plays && hit)
 			add_edge(sum, edge, two, r, eye);
+#if defined(HOLLOWS) && !defined(RUNS)
+		bool next = !last && i >= end;
+		i = next ? hollows.first : i;
+		end = next ? hollows.end : end;
+		deepest = next ? DEPTH_STEPS : deepest;
+		last = last || next;
+#endif
 		if (i >= end)
 			break;
 	}
@@ -524,12 +592,13 @@ reach reach_of(receiver r, origin from)
 		margin + BOX_SLACK, all ? 2.0 * BOX_STEPS : least + BOX_SLACK);
 }
 
-sums walk(receiver r, origin from, int first, int end)
+sums walk(receiver r, origin from, int first, int end, hollows hollows)
 {
 	sums sum = no_sums();
 	reach reach = reach_of(r, from);
 	float rows = row_share(textureSize(edge_runs, 0));
-	for (int run = first; run < end;) {
+	bool last = hollows.first >= hollows.end;
+	for (int run = first; run < end || !last;) {
 		int begin = 0, stop = 0;
 		while (run < end) {
 			uvec4 found = textureLod(edge_runs, table_place(run, rows), 0.0);
@@ -547,17 +616,22 @@ sums walk(receiver r, origin from, int first, int end)
 			if (run >= end || stop != begin)
 				break;
 		}
-		walk_edges(sum, r, from, begin, stop);
-		if (run >= end)
+		// What is found last is behind all runs.
+		bool none = stop == begin;
+		begin = none && !last ? hollows.first : begin;
+		stop = none && !last ? hollows.end : stop;
+		last = last || none;
+		walk_edges(sum, r, from, begin, stop, hollows);
+		if (run >= end && last)
 			break;
 	}
 	return sum;
 }
 #else
-sums walk(receiver r, origin from, int first, int end)
+sums walk(receiver r, origin from, int first, int end, hollows hollows)
 {
 	sums sum = no_sums();
-	walk_edges(sum, r, from, first, end);
+	walk_edges(sum, r, from, first, end, hollows);
 	return sum;
 }
 #endif
@@ -573,9 +647,11 @@ float gathered_visibility(receiver r)
 	vec2 tile_at = inside ? at : vec2(0.0);
 	uvec4 tile = textureLod(edge_tiles, (tile_at + 0.5) / tile_count, 0.0);
 	origin from = origin_of(r, tile, tile_at);
-	int first = int(tile.x), edges = int(tile.y & 0xffffffu);
+	int first = int(tile.x & 0x1ffffu), edges = int(tile.y & 0x1ffffu);
 	bool any_before = inside && light_arrives && from.deepest > uintBitsToFloat(tile.z);
-	sums sum = walk(r, from, first, any_before ? first + edges : first);
+	bool among = inside && light_arrives && r.s.z <= uintBitsToFloat(tile.w);
+	hollows hollows = hollows_over(r, tile, among);
+	sums sum = walk(r, from, first, any_before ? first + edges : first, hollows);
 	if (!inside)
 		return 1.0;
 	sum.winding = max(sum.winding + (sum.own > 0 ? from.seen : from.winding), 0);

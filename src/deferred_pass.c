@@ -28,7 +28,7 @@ static uint64_t find_flags(const struct surface_pass *view)
 {
 	const struct technique *technique = view->renderer->shadows.technique;
 	uint64_t way = technique->surface_flags(view->shadow->state);
-	return FLAG_RECEIVERS | (way & (FLAG_RUNS | FLAG_COARSE | FLAG_TWO_LAYERS));
+	return FLAG_RECEIVERS | (way & (FLAG_RUNS | FLAG_COARSE | FLAG_TWO_LAYERS | FLAG_HOLLOWS));
 }
 
 /* Of the light, with its receivers to read. */

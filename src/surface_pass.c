@@ -249,7 +249,8 @@ static uint64_t flags_of(const struct surface_pass *pass, uint64_t all, enum nee
 	case NEED_MAP:
 		return lit | pass->renderer->shadows.map_flags;
 	case NEED_BEHIND:
-		return all & FLAG_EDGES ? (all & ~FLAG_TWO_LAYERS) | FLAG_BEHIND : all;
+		return all & FLAG_EDGES ? (all & ~(FLAG_TWO_LAYERS | FLAG_HOLLOWS)) | FLAG_BEHIND
+					: all;
 	default:
 		return all;
 	}

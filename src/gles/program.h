@@ -18,7 +18,7 @@
 	X(moment_map) X(blur_radius) X(min_variance) X(probe_value) \
 	X(primitives) X(pixel_size) X(pole_depth) X(map_texels) X(visibility_map) X(visibility_depth) \
 	X(point_map) X(cell_map) X(cell_scale) X(cell_depth) \
-	X(edge_tiles) X(edge_runs) X(edge_map) X(front_layer) X(second_layer) X(third_layer) X(layer_count) X(disc_masks) X(tile_count) \
+	X(edge_tiles) X(edge_runs) X(edge_map) X(hollow_base) X(front_layer) X(second_layer) X(third_layer) X(layer_count) X(disc_masks) X(tile_count) \
 	X(disc_facing) X(casts) X(snap) X(raster_snap) X(depth_noise)
 /* clang-format on */
 

@@ -55,6 +55,7 @@ static const struct {
 	FLAG(BEHIND),
 	FLAG(WORDS),
 	FLAG(TWO_LAYERS),
+	FLAG(HOLLOWS),
 #undef FLAG
 };
 
@@ -167,7 +168,8 @@ static const struct {
 				 FLAG_GATHER | FLAG_FOUR_FETCHES | FLAG_TEXTURED | FLAG_VISIBILITY |
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
 				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS |
-				 FLAG_COARSE | FLAG_BEHIND | FLAG_WORDS | FLAG_TWO_LAYERS,
+				 FLAG_COARSE | FLAG_BEHIND | FLAG_WORDS | FLAG_TWO_LAYERS |
+				 FLAG_HOLLOWS,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -227,7 +229,7 @@ static const struct {
 		{
 			.name = "find",
 			.flags = FLAG_RECEIVERS | FLAG_RUNS | FLAG_COARSE | FLAG_POINTS |
-				 FLAG_TWO_LAYERS,
+				 FLAG_TWO_LAYERS | FLAG_HOLLOWS,
 			.parts =
 				{
 					{{"copy.vert"}},
@@ -367,6 +369,8 @@ static bool surface_is_valid(uint64_t flags)
 	       implies(flags, FLAG_BEHIND, FLAG_EDGES) &&
 	       implies(flags, FLAG_TWO_LAYERS, FLAG_EDGES) &&
 	       excludes(flags, FLAG_TWO_LAYERS, FLAG_BEHIND) &&
+	       implies(flags, FLAG_HOLLOWS, FLAG_EDGES) &&
+	       excludes(flags, FLAG_HOLLOWS, FLAG_BEHIND) &&
 	       excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
@@ -386,8 +390,8 @@ bool program_key_is_valid(struct program_key key)
 		return flags & FLAG_RECEIVERS ? receivers_are_valid(flags)
 					      : surface_is_valid(flags);
 	case PROGRAM_FIND:
-		return (flags & ~(FLAG_RUNS | FLAG_COARSE | FLAG_POINTS | FLAG_TWO_LAYERS)) ==
-		       FLAG_RECEIVERS;
+		return (flags & ~(FLAG_RUNS | FLAG_COARSE | FLAG_POINTS | FLAG_TWO_LAYERS |
+					FLAG_HOLLOWS)) == FLAG_RECEIVERS;
 	case PROGRAM_FIN:
 		return excludes(flags, FLAG_DEPTH_ONLY,
 			       FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH) &&

@@ -78,9 +78,10 @@ enum program_kind {
 #define FLAG_BEHIND (UINT64_C(1) << 39)
 #define FLAG_WORDS (UINT64_C(1) << 40)
 #define FLAG_TWO_LAYERS (UINT64_C(1) << 41)
+#define FLAG_HOLLOWS (UINT64_C(1) << 42)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 42)
+#define FLAG_END (UINT64_C(1) << 43)
 
 struct program_key {
 	enum program_kind kind;

@@ -483,6 +483,53 @@ static void walk(struct sums *sums, const struct gather *gather, const struct ey
 	}
 }
 
+/* Whether a triangle over a hollow counts for the receiver. */
+static bool is_over(
+	const struct gather *gather, const struct eye *eye, const struct edge_texel *texel)
+{
+	struct hollow_plane plane;
+	memcpy(&plane, texel, sizeof(plane));
+	const struct receiver *receiver = eye->receiver;
+	double steps = 0.5 / gather->snap, depth = receiver->depth;
+	double at = plane.start;
+	for (int i = 0; i < 2; i++)
+		at += (double)plane.slope[i] * (receiver->at[i] - 0.5) * steps;
+	return at > depth * EDGE_DEPTH_STEPS && depth * 65536.0 > plane.near &&
+	       depth * 65536.0 < plane.far;
+}
+
+static struct end end_of_texel(
+	const struct gather *gather, const struct eye *eye, const uint32_t words[2])
+{
+	const double step = 2.0 * gather->snap;
+	uint32_t mask = (1u << EDGE_DEPTH_BITS) - 1;
+	uint32_t depth = (words[0] & mask) << EDGE_DEPTH_BITS | (words[1] & mask & ~1u);
+	const struct edge_vertex vertex = {
+		.x = (float)(0.5 + step * ((int32_t)words[0] >> EDGE_DEPTH_BITS)),
+		.y = (float)(0.5 + step * ((int32_t)words[1] >> EDGE_DEPTH_BITS)),
+		.depth = (float)depth / EDGE_DEPTH_STEPS,
+	};
+	return end_of(eye, &vertex);
+}
+
+/* Adds the triangles over hollows that count. */
+static void add_hollows(struct sums *sums, const struct gather *gather, const struct eye *eye,
+	const struct edge_tile *tile)
+{
+	uint32_t count = edge_tile_hollows(tile);
+	const struct edge_texel *texels =
+		&gather->grid.texels[gather->grid.hollow_base +
+				     HOLLOW_TEXELS * (size_t)edge_tile_first_hollow(tile)];
+	for (uint32_t i = 0; i < 3 * count; i++) {
+		struct chord chord;
+		struct end a = end_of_texel(gather, eye, &texels[i].words[0]);
+		struct end b = end_of_texel(gather, eye, &texels[i].words[2]);
+		if (is_over(gather, eye, &texels[3 * count + i / 3]) &&
+			find_chord(&chord, eye, &a, &b))
+			add_chord(sums, gather, &chord, 1);
+	}
+}
+
 /* How edges that border on other blockers count against those that border on what is free. */
 #define INNER_EDGES 1.5
 
@@ -528,6 +575,8 @@ static double visibility(const void *state, const struct receiver *receiver)
 	struct sums sums = {.winding = origin.winding};
 	if (receiver->depth > tile->nearest)
 		walk(&sums, gather, &eye, &origin, tile);
+	if (!behind_all)
+		add_hollows(&sums, gather, &eye, tile);
 	if (sums.own > 0)
 		sums.winding += origin.winding_beside - origin.winding;
 	if (sums.winding < 0)

@@ -1,13 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/edge_chains.h"
 #include "base/array.h"
+#include "base/float_range.h"
+#include "scene/hollow_search.h"
 #include <stdlib.h>
 #include <string.h>
 
 #define NONE UINT32_MAX
 
-/* Of a caster that has more, each hides too little for what finding them takes. */
+/* Of a caster that has more, each hides too little for what finding them takes, but for those over
+ * hollows. Those of the others are not listed by both rules. */
 #define GRAZING_TRIANGLES_MAX 512
+
+/* How much deeper than the triangle beside one over a hollow, as a share of how far that is behind
+ * it, receivers are for which it counts. */
+#define HOLLOW_DEEPER 2.0f
 
 /* On the screen, in steps of the raster grid, but between them. */
 struct screen_point {
@@ -59,17 +66,23 @@ static int32_t on_grid(const struct edge_chains *chains, double at)
 	return rint(at / step) * step > point ? point + 1 : point - 1;
 }
 
-static bool append(struct edge_chains *chains, const struct screen_point *point, uint32_t sheets)
+static struct chain_point chain_point_of(
+	const struct edge_chains *chains, const struct screen_point *point, uint32_t sheets)
 {
-	if (!array_reserve((void **)&chains->points, &chains->point_capacity, chains->count + 1,
-		    sizeof(*chains->points)))
-		return false;
-	chains->points[chains->count++] = (struct chain_point){
+	return (struct chain_point){
 		.x = on_grid(chains, clamp(point->x, -CHAIN_LIMIT, CHAIN_LIMIT)),
 		.y = on_grid(chains, clamp(point->y, -CHAIN_LIMIT, CHAIN_LIMIT)),
 		.depth = (float)clamp(point->depth, 0.0, CHAIN_DEPTH_MAX),
 		.sheets = sheets,
 	};
+}
+
+static bool append(struct edge_chains *chains, const struct screen_point *point, uint32_t sheets)
+{
+	if (!array_reserve((void **)&chains->points, &chains->point_capacity, chains->count + 1,
+		    sizeof(*chains->points)))
+		return false;
+	chains->points[chains->count++] = chain_point_of(chains, point, sheets);
 	return true;
 }
 
@@ -212,12 +225,68 @@ static bool append_grazing(const struct walk *walk)
 {
 	const struct caster_view *view = walk->view;
 	size_t count = view->rule.one_sided;
-	for (size_t t = 0; t < count && count <= GRAZING_TRIANGLES_MAX; t++) {
+	for (size_t t = 0; t < count; t++) {
 		const uint32_t *corners = &view->caster->indices[3 * t];
 		bool faces = view->facing[t / EDGE_BLOCK] >> t % EDGE_BLOCK & 1;
 		if (is_grazing(view, corners) &&
 			!append_triangle(walk, corners, faces != view->rule.mirrored))
 			return false;
+	}
+	return true;
+}
+
+/* A triangle over a hollow: none that what is hidden is known to be in. */
+static bool begin_hollow(const struct walk *walk, uint32_t triangle, struct chain_hollow *hollow)
+{
+	const uint32_t *corners = &walk->view->caster->indices[3 * triangle];
+	*hollow = (struct chain_hollow){.triangle = triangle,
+		.min = {CHAIN_LIMIT, CHAIN_LIMIT},
+		.max = {-CHAIN_LIMIT, -CHAIN_LIMIT}};
+	for (int k = 0; k < 3; k++) {
+		/* As it faces the light it counts reversed. */
+		bool reversed = !walk->view->rule.mirrored;
+		struct screen_point point = project(walk, corners[reversed ? 2 - k : k]);
+		if (!is_within(&point))
+			return false;
+		hollow->corners[k] = chain_point_of(walk->chains, &point, CHAIN_GRAZING);
+	}
+	return true;
+}
+
+/* Adds a triangle beside it. */
+static void widen_hollow(const struct walk *walk, uint32_t beside, struct chain_hollow *hollow)
+{
+	float near = CHAIN_DEPTH_MAX, far = 0.0f;
+	for (uint32_t k = 0; k < 3; k++) {
+		struct screen_point point =
+			project(walk, walk->view->caster->indices[3 * beside + k]);
+		const float place[2] = {(float)point.x, (float)point.y};
+		for (int axis = 0; axis < 2; axis++) {
+			hollow->min[axis] = smaller(place[axis], hollow->min[axis]);
+			hollow->max[axis] = larger(place[axis], hollow->max[axis]);
+		}
+		near = smaller(hollow->corners[k].depth, near);
+		far = larger((float)point.depth, far);
+	}
+	hollow->far = larger(far + HOLLOW_DEEPER * larger(far - near, 0.0f), hollow->far);
+}
+
+static bool append_hollows(const struct walk *walk)
+{
+	struct edge_chains *chains = walk->chains;
+	struct hollow_search search;
+	struct chain_hollow hollow;
+	size_t first = chains->hollow_count;
+	hollow_search_begin(&search, walk->view);
+	const struct hollow *found;
+	while ((found = hollow_search_next(&search)) != NULL) {
+		bool again = chains->hollow_count > first &&
+			     chains->hollows[chains->hollow_count - 1].triangle == found->triangle;
+		if (!again && !begin_hollow(walk, found->triangle, &hollow))
+			continue;
+		if (!again && !edge_chains_keep_hollows(chains, &hollow, 1))
+			return false;
+		widen_hollow(walk, found->corner / 3, &chains->hollows[chains->hollow_count - 1]);
 	}
 	return true;
 }
@@ -244,6 +313,7 @@ void edge_chains_clear(struct edge_chains *chains)
 {
 	chains->count = 0;
 	chains->edge_count = 0;
+	chains->hollow_count = 0;
 }
 
 bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
@@ -278,7 +348,8 @@ bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view,
 	struct walk walk = {chains, view, chains->edges, NULL, screen};
 	if (!view->cut)
 		return follow_all(&walk, edge_count, view->caster->vertex_count) &&
-		       append_grazing(&walk);
+		       (view->rule.one_sided <= GRAZING_TRIANGLES_MAX ? append_grazing(&walk)
+								      : append_hollows(&walk));
 	if (!edge_clip_near(&chains->clip, view->caster, view->to_clip, view->facing, chains->back,
 		    view->rule.mirrored, chains->edges, edge_count))
 		return false;
@@ -300,10 +371,23 @@ bool edge_chains_keep(struct edge_chains *chains, const struct chain_point *poin
 	return true;
 }
 
+bool edge_chains_keep_hollows(
+	struct edge_chains *chains, const struct chain_hollow *hollows, size_t count)
+{
+	if (!array_reserve((void **)&chains->hollows, &chains->hollow_capacity,
+		    chains->hollow_count + count, sizeof(*chains->hollows)))
+		return false;
+	if (count > 0)
+		memcpy(chains->hollows + chains->hollow_count, hollows, count * sizeof(*hollows));
+	chains->hollow_count += count;
+	return true;
+}
+
 void edge_chains_finish(struct edge_chains *chains)
 {
 	edge_clip_finish(&chains->clip);
 	free(chains->points);
+	free(chains->hollows);
 	free(chains->facing);
 	free(chains->back);
 	free(chains->edges);
@@ -315,6 +399,7 @@ void edge_chains_finish(struct edge_chains *chains)
 size_t edge_chains_bytes(const struct edge_chains *chains)
 {
 	return chains->point_capacity * sizeof(*chains->points) +
+	       chains->hollow_capacity * sizeof(*chains->hollows) +
 	       chains->facing_capacity * sizeof(*chains->facing) +
 	       chains->back_capacity * sizeof(*chains->back) +
 	       chains->edge_capacity * sizeof(*chains->edges) +

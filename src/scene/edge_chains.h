@@ -28,6 +28,15 @@ static inline bool chain_is_grazing(const struct chain_point *edge)
 	return edge->sheets >= CHAIN_GRAZING;
 }
 
+/** A triangle that faces the light's centre and shows a part of the disc its back, where receivers
+ *  beside it are before its plane: it counts for them as a sheet on its left. */
+struct chain_hollow {
+	struct chain_point corners[3]; /* sheets: CHAIN_GRAZING */
+	uint32_t triangle;
+	float min[2], max[2]; /* around those that it hides a part of the disc from */
+	float far;            /* and how deep these are */
+};
+
 /** What is farther off is moved there, which changes nothing on the screen. */
 #define CHAIN_LIMIT (1 << 24)
 /** Behind everything on the screen. */
@@ -55,6 +64,8 @@ struct edge_chains {
 	struct chain_point *points; /* [count], owned */
 	size_t count;
 	size_t edge_count;
+	struct chain_hollow *hollows; /* [hollow_count], owned */
+	size_t hollow_count;
 	/* Working memory; owned */
 	uint64_t *facing, *back;
 	struct silhouette_edge *edges;
@@ -63,7 +74,7 @@ struct edge_chains {
 	struct edge_clip clip;
 	uint32_t raster_step; /* of the caster that is being added */
 	size_t point_capacity, facing_capacity, back_capacity, edge_capacity, from_capacity,
-		after_capacity;
+		after_capacity, hollow_capacity;
 };
 
 void edge_chains_clear(struct edge_chains *chains);
@@ -77,6 +88,10 @@ bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
  *  that is so once it is moved to the finer one. False: out of memory. */
 bool edge_chains_add(struct edge_chains *chains, const struct caster_view *view, uint32_t screen,
 	uint32_t raster_step);
+
+/** Appends hollows that were found before. False: out of memory. */
+bool edge_chains_keep_hollows(
+	struct edge_chains *chains, const struct chain_hollow *hollows, size_t count);
 
 /** Appends chains that were found before, of so many edges. False: out of memory. */
 bool edge_chains_keep(struct edge_chains *chains, const struct chain_point *points, size_t count,

@@ -87,6 +87,38 @@ static void show_lists(struct edge_grid *grid)
 		show_runs(grid);
 }
 
+/* Puts the triangles over hollows behind what lists are of, as far as there is room. */
+static bool list_hollows(struct edge_grid *grid, uint32_t screen, struct edge_room room)
+{
+	struct edge_lists *lists = &grid->lists;
+	size_t *capacity = grid->whole ? &lists->copy_capacity : &lists->texel_capacity;
+	struct edge_texel **texels = grid->whole ? &lists->copies : &lists->texels;
+	size_t left = (grid->whole ? room.copies : room.vertices) - grid->texel_count;
+	size_t most =
+		left / HOLLOW_TEXELS < EDGE_HOLLOWS_MAX ? left / HOLLOW_TEXELS : EDGE_HOLLOWS_MAX;
+	struct edge_hollows *hollows = &grid->hollows;
+	if (!edge_hollows_list(hollows, &grid->chains, screen, grid->tiles, most))
+		return false;
+	size_t count = grid->texel_count + HOLLOW_TEXELS * hollows->count;
+	if (!array_reserve((void **)texels, capacity, count, sizeof(**texels)))
+		return false;
+	grid->texels = *texels;
+	grid->hollow_base = grid->texel_count;
+	grid->dropped += hollows->dropped;
+	if (hollows->count == 0)
+		return true;
+	edge_hollows_write(hollows, &grid->chains, screen, *texels + grid->texel_count);
+	grid->texel_count = count;
+	for (size_t first = 0; first < hollows->count;) {
+		struct edge_tile *tile = &grid->of[hollows->of[first].tile];
+		size_t of_tile = edge_hollows_of_tile(hollows, first);
+		tile->first |= (uint32_t)first << 17;
+		tile->count_winding |= (uint32_t)of_tile << 17;
+		first += of_tile;
+	}
+	return true;
+}
+
 bool edge_grid_look(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct edge_grid_options *options)
 {
@@ -114,15 +146,15 @@ static bool find(struct edge_grid *grid, const struct sm_scene *scene,
 	grid->edge_count = grid->chains.edge_count;
 	grid->dropped = grid->lists.dropped;
 	grid->mean_list = filled == 0 ? 0.0f : (float)grid->lists.edge_count / (float)filled;
-	return true;
+	return list_hollows(grid, screen, options->room);
 }
 
 bool edge_grid_find(struct edge_grid *grid, const struct sm_scene *scene,
 	const struct light_frame *frame, const struct edge_grid_options *options)
 {
 	assert(options->tiles >= TILES_MIN && options->tiles <= EDGE_GRID_TILES_MAX &&
-		(options->tiles & (options->tiles - 1)) == 0 && options->room.runs < 1 << 24 &&
-		options->room.vertices < 1 << 24 && options->room.copies < 1 << 24);
+		(options->tiles & (options->tiles - 1)) == 0 && options->room.runs < 1 << 17 &&
+		options->room.vertices < 1 << 17 && options->room.copies < 1 << 17);
 	bool found = find(grid, scene, frame, options);
 	if (!found)
 		edge_grid_forget(grid);
@@ -149,6 +181,7 @@ void edge_grid_finish(struct edge_grid *grid)
 	tile_depths_finish(&grid->depths);
 	edge_cover_finish(&grid->cover);
 	edge_lists_finish(&grid->lists);
+	edge_hollows_finish(&grid->hollows);
 	free(grid->of);
 	free(grid->winding);
 	*grid = (struct edge_grid){0};
@@ -158,6 +191,7 @@ size_t edge_grid_bytes(const struct edge_grid *grid)
 {
 	return edge_keep_bytes(&grid->keep) + edge_chains_bytes(&grid->chains) +
 	       tile_depths_bytes(&grid->depths) + edge_cover_bytes(&grid->cover) +
-	       edge_lists_bytes(&grid->lists) + grid->tile_capacity * sizeof(*grid->of) +
+	       edge_lists_bytes(&grid->lists) + edge_hollows_bytes(&grid->hollows) +
+	       grid->tile_capacity * sizeof(*grid->of) +
 	       grid->winding_capacity * sizeof(*grid->winding);
 }

@@ -2,14 +2,16 @@
 #ifndef SCENE_EDGE_GRID_H
 #define SCENE_EDGE_GRID_H
 
+#include "scene/edge_hollows.h"
 #include "scene/edge_keep.h"
 #include "scene/edge_lists.h"
 
 /** What receivers in a tile of the light's screen need; RGBA32UI. */
 struct edge_tile {
-	uint32_t first;         /* of its runs, or, in whole lists, edges */
-	uint32_t count_winding; /* how many of those (24 bits) + (128 + winding number at the tile's
-				   centre, behind all casters) << 24 */
+	uint32_t first;         /* of its runs, or, in whole lists, edges (17 bits) + first of its
+				   triangles over hollows << 17 */
+	uint32_t count_winding; /* how many runs or edges (17 bits) + triangles << 17 + (128 +
+				   winding number at the tile's centre, behind all casters) << 24 */
 	float nearest;          /* depth that none of its edges is before; 2: no edges */
 	float farthest;         /* depth that no caster over the tile and its margin is behind; 0:
 				   no caster */
@@ -17,7 +19,22 @@ struct edge_tile {
 
 static inline uint32_t edge_tile_count(const struct edge_tile *tile)
 {
-	return tile->count_winding & 0xffffff;
+	return tile->count_winding & 0x1ffff;
+}
+
+static inline uint32_t edge_tile_first(const struct edge_tile *tile)
+{
+	return tile->first & 0x1ffff;
+}
+
+static inline uint32_t edge_tile_hollows(const struct edge_tile *tile)
+{
+	return tile->count_winding >> 17 & 0x7f;
+}
+
+static inline uint32_t edge_tile_first_hollow(const struct edge_tile *tile)
+{
+	return tile->first >> 17;
 }
 
 /** In [-128, 127]. */
@@ -62,10 +79,11 @@ struct edge_grid {
 	uint32_t tiles;       /* a side */
 	struct edge_tile *of; /* [tiles * tiles], row after row from the lower left; owned */
 	bool whole;           /* tiles' lists are of texels, not of runs */
-	const struct edge_texel *texels;    /* [texel_count], of lists */
+	const struct edge_texel *texels;    /* [texel_count], of lists, and from hollow_base on of
+					       triangles over hollows */
 	const struct edge_run *runs;        /* [run_count], of lists that are not whole */
 	const struct edge_vertex *vertices; /* [vertex_count], that runs are of */
-	size_t texel_count, run_count, vertex_count;
+	size_t texel_count, run_count, vertex_count, hollow_base;
 	size_t edge_count; /* of the sheets' boundaries */
 	size_t dropped;    /* entries of lists that there was no room for */
 	float mean_list;   /* edges in a list that has any */
@@ -75,6 +93,7 @@ struct edge_grid {
 	struct tile_depths depths;
 	struct edge_cover cover;
 	struct edge_lists lists;
+	struct edge_hollows hollows;
 	int32_t *winding;
 	size_t tile_capacity, winding_capacity;
 };

@@ -10,6 +10,7 @@ void edge_keep_finish(struct edge_keep *keep)
 	object_watch_finish(&keep->watch);
 	free(keep->parts);
 	free(keep->before);
+	free(keep->hollows_before);
 	*keep = (struct edge_keep){0};
 }
 
@@ -83,19 +84,26 @@ static void count_casters(struct edge_keep *keep)
 static void set_aside(struct edge_keep *keep, struct edge_chains *chains)
 {
 	struct chain_point *points = chains->points;
-	size_t capacity = chains->point_capacity;
+	struct chain_hollow *hollows = chains->hollows;
+	size_t capacity = chains->point_capacity, hollow_capacity = chains->hollow_capacity;
 	edge_chains_clear(chains);
 	count_casters(keep);
 	if (keep->kept_count == 0) {
 		free(keep->before);
+		free(keep->hollows_before);
 		keep->before = NULL;
-		keep->before_capacity = 0;
+		keep->hollows_before = NULL;
+		keep->before_capacity = keep->hollow_capacity = 0;
 		return;
 	}
 	chains->points = keep->before;
 	chains->point_capacity = keep->before_capacity;
+	chains->hollows = keep->hollows_before;
+	chains->hollow_capacity = keep->hollow_capacity;
 	keep->before = points;
 	keep->before_capacity = capacity;
+	keep->hollows_before = hollows;
+	keep->hollow_capacity = hollow_capacity;
 }
 
 /* Adds a caster's chains, kept or found anew. view: of one that is seen; else NULL. */
@@ -104,16 +112,21 @@ static bool add_chains(struct search *search, size_t index, const struct caster_
 	struct edge_chains *chains = search->chains;
 	const struct edge_raster *raster = &search->keep->raster;
 	struct edge_part *part = &search->keep->parts[index];
-	size_t first = chains->count, edges = chains->edge_count;
+	size_t first = chains->count, edges = chains->edge_count, hollows = chains->hollow_count;
 	bool added = search->keep->watch.objects[index].changed
 			     ? edge_chains_add(chains, view, raster->screen, raster->step)
 			     : edge_chains_keep(chains, search->keep->before + part->first,
-				       part->count, part->edge_count);
+				       part->count, part->edge_count) &&
+				       edge_chains_keep_hollows(chains,
+					       search->keep->hollows_before + part->first_hollow,
+					       part->hollow_count);
 	if (!added)
 		return false;
 	part->first = first;
 	part->count = chains->count - first;
 	part->edge_count = chains->edge_count - edges;
+	part->first_hollow = hollows;
+	part->hollow_count = chains->hollow_count - hollows;
 	return true;
 }
 
@@ -207,5 +220,6 @@ size_t edge_keep_bytes(const struct edge_keep *keep)
 {
 	return keep->watch.capacity * sizeof(*keep->watch.objects) +
 	       keep->part_capacity * sizeof(*keep->parts) +
-	       keep->before_capacity * sizeof(*keep->before);
+	       keep->before_capacity * sizeof(*keep->before) +
+	       keep->hollow_capacity * sizeof(*keep->hollows_before);
 }

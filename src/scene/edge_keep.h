@@ -18,6 +18,7 @@ struct edge_raster {
 struct edge_part {
 	size_t first, count; /* points of the chains */
 	size_t edge_count;
+	size_t first_hollow, hollow_count;
 	struct screen_box reach; /* where tiles may have depths of it */
 };
 
@@ -28,10 +29,11 @@ struct edge_keep {
 	struct screen_box changed; /* where casters show otherwise than in the search before */
 	size_t caster_count, kept_count; /* casters, and those whose chains were kept */
 	struct edge_raster raster;
-	struct object_watch watch;  /* on casters */
-	struct edge_part *parts;    /* of each object, owned */
-	struct chain_point *before; /* what the chains were, where some are kept; owned */
-	size_t part_capacity, before_capacity;
+	struct object_watch watch;           /* on casters */
+	struct edge_part *parts;             /* of each object, owned */
+	struct chain_point *before;          /* what the chains were, where some are kept; owned */
+	struct chain_hollow *hollows_before; /* and the hollows; owned */
+	size_t part_capacity, before_capacity, hollow_capacity;
 	size_t known; /* objects that parts are kept of */
 	bool looked;  /* since the last search */
 };

@@ -69,7 +69,7 @@ struct edge_lists {
 		entry_capacity, entry_end_capacity, end_capacity, key_capacity;
 };
 
-/** What lists may have in all, each below 2^24: runs and the vertices of those, and if they are
+/** What lists may have in all, each below 2^17: runs and the vertices of those, and if they are
  * whole edges of their own. */
 struct edge_room {
 	size_t runs, vertices, copies;

@@ -302,6 +302,7 @@ static uint64_t gather_surface_flags(const void *state)
 		return FLAG_HARD;
 	return FLAG_EDGES | (gather->grid.whole ? 0 : FLAG_RUNS) |
 	       (gather->layers.count > 2 ? 0 : FLAG_TWO_LAYERS) |
+	       (gather->grid.hollows.count > 0 ? FLAG_HOLLOWS : 0) |
 	       (raster_is_coarse(gather->subpixel_bits) ? FLAG_COARSE : 0);
 }
 
@@ -426,6 +427,7 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 		gpu_bind_texture(gpu, units[i], gather->layers.of[layer].texture);
 	}
 	gl->Uniform1i(program->uniform.layer_count, gather->layers.count);
+	gl->Uniform1i(program->uniform.hollow_base, (GLint)gather->grid.hollow_base);
 	gpu_bind_texture(gpu, UNIT_EDGE_TILES, gather->tiles);
 	gpu_bind_texture(gpu, UNIT_EDGE_RUNS, gather->runs.texture);
 	gpu_bind_texture(gpu, UNIT_EDGES, gather->edges.texture);

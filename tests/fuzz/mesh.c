@@ -299,13 +299,13 @@ static void check_list(const struct edge_grid *grid, const struct edge_tile *til
 		check_stretch(&stretch, start);
 	}
 	for (uint32_t k = 1; grid->whole && k < edge_tile_count(tile); k++)
-		expect(edge_texel_nearest(&grid->texels[tile->first + k - 1]) <=
-			edge_texel_nearest(&grid->texels[tile->first + k]));
+		expect(edge_texel_nearest(&grid->texels[edge_tile_first(tile) + k - 1]) <=
+			edge_texel_nearest(&grid->texels[edge_tile_first(tile) + k]));
 }
 
 static void check_edge_grid(const struct edge_grid *grid, const struct edge_room *room)
 {
-	size_t sum = 0, count = grid->whole ? grid->texel_count : grid->run_count;
+	size_t sum = 0, hollows = 0, count = grid->whole ? grid->hollow_base : grid->run_count;
 	expect(grid->run_count <= room->runs && grid->vertex_count <= room->vertices);
 	expect(!grid->whole || grid->texel_count <= room->copies);
 	expect(grid->tiles >= 32 && grid->tiles <= EDGE_GRID_TILES_MAX);
@@ -313,14 +313,18 @@ static void check_edge_grid(const struct edge_grid *grid, const struct edge_room
 		const struct edge_tile *tile = &grid->of[t];
 		expect(isfinite(tile->farthest) && isfinite(tile->nearest));
 		expect(edge_tile_count(tile) > 0 || tile->nearest == 2.0f);
+		expect(edge_tile_hollows(tile) <= HOLLOWS_MAX);
+		expect(edge_tile_hollows(tile) == 0 || edge_tile_first_hollow(tile) == hollows);
+		hollows += edge_tile_hollows(tile);
 		if (edge_tile_count(tile) == 0)
 			continue;
-		expect(tile->first == sum);
+		expect(edge_tile_first(tile) == sum);
 		sum += edge_tile_count(tile);
 		expect(sum <= count);
 		check_list(grid, tile);
 	}
-	expect(sum == count);
+	expect(sum == count && hollows == grid->hollows.count);
+	expect(grid->hollow_base + HOLLOW_TEXELS * hollows == grid->texel_count);
 }
 
 /* With room for all, and for few; as finely as Mesa's drivers draw, and as coarsely as may be. */

@@ -49,6 +49,7 @@ static const struct {
 	{FLAG_COARSE, "COARSE"},
 	{FLAG_BEHIND, "BEHIND"},
 	{FLAG_TWO_LAYERS, "TWO_LAYERS"},
+	{FLAG_HOLLOWS, "HOLLOWS"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -148,8 +149,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	const size_t taps = 1 + plain;       /* gathered, or fetched from plain depths */
 	const size_t comparison = 2 + plain; /* by the sampler, gathered, or fetched */
 	/* Whole lists or runs, on fine or coarse raster grids, behind all casters or anywhere, with
-	 * up to two layers or more. */
-	const size_t edges = 2 * 2 * (1 + 2);
+	 * up to two layers or more, and with triangles over hollows or without. */
+	const size_t edges = 2 * 2 * (1 + 2 * 2);
 	const size_t shadows = comparison + /* hard */
 			       3 * taps +   /* smoothies, with no or own depth, or alpha too */
 			       1 +          /* depth and alpha of smoothies at once */
@@ -169,8 +170,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + edges + 4 * 2);
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
 	/* Whole lists or runs, on a fine raster grid or a coarse one, with up to two layers or
-	 * more, of pixels or points. */
-	assert_int_equal(counts[PROGRAM_FIND], 2 * 2 * 2 * 2);
+	 * more, with triangles over hollows or without, of pixels or points. */
+	assert_int_equal(counts[PROGRAM_FIND], 2 * 2 * 2 * 2 * 2);
 	assert_int_equal(counts[PROGRAM_KNOWN], 2);
 }
 
@@ -244,6 +245,9 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_TEXTURED},
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_ENCODE_SRGB},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_HOLLOWS},
+		{PROGRAM_SURFACE,
+			FLAG_LIT | FLAG_SHADOWED | FLAG_EDGES | FLAG_BEHIND | FLAG_HOLLOWS},
 		{PROGRAM_SURFACE, FLAG_END},
 	};
 	for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++)
@@ -253,7 +257,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 static void names_tell_variants_apart(void **state)
 {
 	(void)state;
-	char text[360], cut[8];
+	char text[380], cut[8];
 	struct program_key key = {PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD};
 	assert_string_equal(program_key_name(key, text, sizeof(text)), "surface LIT SHADOWED HARD");
 	assert_string_equal(program_key_name(key, cut, sizeof(cut)), "surface");

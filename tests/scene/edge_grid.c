@@ -295,6 +295,51 @@ static void triangles_that_the_light_grazes_are_listed_beside_them(void **state)
 	}
 }
 
+/* Edges of a triangle lead from corner to corner. */
+static void assert_triangle(const struct edge_texel edges[3])
+{
+	for (int k = 0; k < 3; k++)
+		for (int axis = 0; axis < 2; axis++)
+			assert_int_equal(edges[k].words[2 + axis] >> EDGE_DEPTH_BITS,
+				edges[(k + 1) % 3].words[axis] >> EDGE_DEPTH_BITS);
+}
+
+/* Those between the spikes of an urchin, in whole lists and in runs; as many as there is room for,
+ * and whole ones. */
+static void triangles_over_hollows_are_listed_as_far_as_there_is_room(void **state)
+{
+	(void)state;
+	static const char *const wide[] = {"light.radius=0.573"};
+	struct edge_grid_options options = {64, MAP_SIZE, SUBPIXEL_BITS, ROOM};
+	struct world world;
+	world_load(&world, "builtin:urchin:20000", wide, 1);
+	world_find(&world, &options);
+	const struct edge_grid *grid = &world.grid;
+	size_t all = grid->hollows.count, listed = 0;
+	assert_in_range(all, 100, 1000);
+	for (size_t t = 0; t < 64 * 64; t++) {
+		const struct edge_tile *tile = &grid->of[t];
+		const struct edge_texel *texels =
+			&grid->texels[grid->hollow_base +
+				      HOLLOW_TEXELS * (size_t)edge_tile_first_hollow(tile)];
+		for (uint32_t i = 0; i < edge_tile_hollows(tile); i++)
+			assert_triangle(&texels[3 * i]);
+		listed += edge_tile_hollows(tile);
+	}
+	assert_int_equal(listed, all);
+	assert_false(grid->whole);
+	options.room.vertices = grid->vertex_count + HOLLOW_TEXELS * 10 + 3;
+	world_find(&world, &options);
+	assert_int_equal(grid->hollows.count, 10);
+	assert_int_equal(grid->dropped, all - 10);
+	assert_int_equal(grid->texel_count, grid->vertex_count + HOLLOW_TEXELS * 10);
+	world_finish(&world);
+	world_load(&world, "builtin:cylinder", wide, 1);
+	world_find(&world, &options);
+	assert_int_equal(world.grid.hollows.count, 0);
+	world_finish(&world);
+}
+
 static void without_casters_or_receivers_nothing_is_listed(void **state)
 {
 	(void)state;
@@ -441,6 +486,7 @@ int main(void)
 		cmocka_unit_test(short_lists_have_their_own_edges),
 		cmocka_unit_test(finer_edges_round_to_the_raster_grid),
 		cmocka_unit_test(triangles_that_the_light_grazes_are_listed_beside_them),
+		cmocka_unit_test(triangles_over_hollows_are_listed_as_far_as_there_is_room),
 		cmocka_unit_test(without_casters_or_receivers_nothing_is_listed),
 		cmocka_unit_test(a_point_light_lists_edges_where_they_are),
 		cmocka_unit_test(everything_is_finite),

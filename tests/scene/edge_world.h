@@ -10,9 +10,9 @@
 #define SUBPIXEL_BITS 8
 #define SCREEN (MAP_SIZE << SUBPIXEL_BITS)
 /* For lists of any length. */
-#define ROOM                              \
-	{                                 \
-		1000000, 1000000, 1000000 \
+#define ROOM                           \
+	{                              \
+		131071, 131071, 131071 \
 	}
 
 /** A scene with a light, and its grid. */

@@ -54,7 +54,7 @@ static bool same_texel(const struct edge_texel *a, const struct edge_texel *b)
 /* A whole list has the edges of the tile's runs, the nearest first. */
 static void assert_whole_list(const struct edge_grid *grid, const struct edge_tile *tile)
 {
-	const struct edge_texel *list = &grid->texels[tile->first];
+	const struct edge_texel *list = &grid->texels[edge_tile_first(tile)];
 	uint32_t count = edge_tile_count(tile), edges = 0;
 	for (uint32_t k = 1; k < count; k++)
 		assert_true(edge_texel_nearest(&list[k - 1]) <= edge_texel_nearest(&list[k]));
@@ -90,7 +90,7 @@ void assert_lists_are_in_order(const struct world *world, const char *what)
 		const struct edge_tile *tile = &grid->of[t];
 		float nearest = tile->nearest;
 		assert_int_equal(edge_tile_count(tile) == 0, nearest == 2.0f);
-		assert_true(edge_tile_count(tile) == 0 || tile->first == sum);
+		assert_true(edge_tile_count(tile) == 0 || edge_tile_first(tile) == sum);
 		sum += edge_tile_count(tile);
 		assert_true(sum <= (grid->whole ? grid->texel_count : grid->run_count));
 		for (uint32_t i = 0; i < edge_tile_stretches(grid, tile); i++) {
@@ -108,7 +108,7 @@ void assert_lists_are_in_order(const struct world *world, const char *what)
 		if (grid->whole)
 			assert_whole_list(grid, tile);
 	}
-	assert_int_equal(sum, grid->whole ? grid->texel_count : grid->run_count);
+	assert_int_equal(sum, grid->whole ? grid->hollow_base : grid->run_count);
 }
 
 static struct edge_vertex vertex_of(const struct chain_point *point)
