@@ -110,8 +110,8 @@ bool hollows_init(struct hollows *hollows, const float (*positions)[3], const ui
 		edge_table_decode(edges, records);
 		hollows->count = count_all(&search, places, records, count);
 		hollows->of = array_alloc(hollows->count, sizeof(*hollows->of));
-		hollows->ends = array_alloc(
-			(closed_count + EDGE_BLOCK - 1) / EDGE_BLOCK, sizeof(*hollows->ends));
+		hollows->block_count = (closed_count + EDGE_BLOCK - 1) / EDGE_BLOCK;
+		hollows->ends = array_alloc(hollows->block_count, sizeof(*hollows->ends));
 		made = hollows->of != NULL && hollows->ends != NULL;
 	}
 	if (made)
@@ -130,5 +130,6 @@ void hollows_finish(struct hollows *hollows)
 
 size_t hollows_bytes(const struct hollows *hollows)
 {
-	return hollows->count * sizeof(*hollows->of);
+	return hollows->count * sizeof(*hollows->of) +
+	       hollows->block_count * sizeof(*hollows->ends);
 }

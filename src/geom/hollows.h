@@ -15,7 +15,9 @@ struct hollow {
 struct hollows {
 	struct hollow *of; /* [count], by their triangles, owned */
 	size_t count;
-	uint32_t *ends; /* where those of each block of EDGE_BLOCK triangles end; owned */
+	uint32_t *ends; /* [block_count], where those of each block of EDGE_BLOCK triangles end;
+			   owned */
+	size_t block_count;
 };
 
 /** indices: [3 * closed_count] at least, of the closed parts' triangles, which come first. False:

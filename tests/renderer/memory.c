@@ -204,7 +204,8 @@ static void add_image(struct sm_scene *scene)
 	assert_true(sm_scene_add_image(scene, 5, 3, texels, &image, NULL));
 }
 
-/* Spheres on a floor, some of them beside the lights' screens. */
+/* Spheres on a floor, some of them beside the lights' screens, and a cube: the one closed caster.
+ */
 static void set_up(struct world *world, struct rig *rig, int lights)
 {
 	sm_renderer_destroy(rig->renderer);
@@ -224,6 +225,8 @@ static void set_up(struct world *world, struct rig *rig, int lights)
 				.position = {(float)(i % 3), 1, (float)(i / 3)}});
 	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
 		&(struct pose){.scale = {4, 1, 4}});
+	parts_add_object(rig->scene, parts_add_cube(rig->scene), PART_BOTH,
+		&(struct pose){.scale = {0.2f, 0.2f, 0.2f}, .position = {0, 2, 0}});
 	add_image(rig->scene);
 	canvas_init(&world->canvas, GL_RGBA8, SIZE, SIZE);
 	assert_true(use_renderer(world, NULL));
