@@ -7,6 +7,7 @@
 #include "load/builtin.h"
 #include "parts.h"
 #include "renderer.h"
+#include "strip.h"
 #include "visibility.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -115,6 +116,30 @@ static void test_solids_look_alike(void **state)
 		compare_builtin(*state, builtin_name(i), few, COUNT(few));
 }
 
+static void compare_strip(struct rig *rig, const char *name, const struct strip_profile *profile)
+{
+	static const struct look gather = {
+		"gather", {.technique = "gather", .sampling = SM_SAMPLING_DENSE}};
+	struct sm_camera camera = strip_camera(-0.7f);
+	strip_add(rig->scene, profile);
+	compare(rig, name, rig->scene, &camera, &gather, 1);
+}
+
+static void test_a_level_strip_looks_alike(void **state)
+{
+	compare_strip(*state, "level", &strip_level);
+}
+
+static void test_a_bent_strip_looks_alike(void **state)
+{
+	compare_strip(*state, "bent", &strip_bent);
+}
+
+static void test_a_falling_strip_looks_alike(void **state)
+{
+	compare_strip(*state, "falling", &strip_falling);
+}
+
 /* What the built-in scenes have not: open meshes, mirrored ones, objects that only cast or only
  * receive, some before casters, and the camera's and the light's near planes cut through. */
 static void add_parts(struct sm_scene *scene, const float at[3])
@@ -188,6 +213,9 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		rig_test(test_scenes_look_alike),
 		rig_test(test_solids_look_alike),
+		rig_test(test_a_level_strip_looks_alike),
+		rig_test(test_a_bent_strip_looks_alike),
+		rig_test(test_a_falling_strip_looks_alike),
 		rig_test(test_a_directional_light_looks_alike),
 		rig_test(test_odd_parts_look_alike),
 		rig_test(test_near_the_ground_it_looks_alike),

@@ -4,6 +4,7 @@
 #include "renderer.h"
 #include "scene/edge_grid.h"
 #include "scene/light.h"
+#include "strip.h"
 #include "visibility.h"
 #include <math.h>
 #include <setjmp.h>
@@ -212,52 +213,13 @@ static void too_many_edges_are_left_out(void **state)
 	visibility_finish(&seen);
 }
 
-/* Across a strip, narrower than a texel of the layers: its edge is at (1, 0). */
-struct profile {
-	float at[3][2]; /* x, y */
-	uint32_t count;
-};
-
-/* Under the sun, which stands above. */
-static void add_strip(struct sm_scene *scene, const struct profile *profile)
+static void assert_dark_strip(struct rig *rig, const struct strip_profile *profile)
 {
-	static const struct pose turned = {{1, 1, 1}, 17, {0, 0, 0}};
-	static const float slope[][3] = {
-		{0.7f, 0.3f, -1}, {0.72f, 0.3f, 1}, {1.05f, -0.05f, -1}, {1.07f, -0.05f, 1}};
-	static const uint32_t indices[] = {0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5};
-	float strip[6][3];
-	for (uint32_t i = 0; i < 2 * profile->count; i++) {
-		strip[i][0] = profile->at[i / 2][0];
-		strip[i][1] = profile->at[i / 2][1];
-		strip[i][2] = i % 2 == 0 ? -1 : 1;
-	}
-	size_t index_count = 6 * (profile->count - 1);
-	parts_add_object(scene,
-		parts_add_mesh(scene, strip, 2 * profile->count, indices, index_count), PART_BOTH,
-		&turned);
-	parts_add_object(scene, parts_add_mesh(scene, slope, 4, indices, 6), PART_BOTH, &turned);
-	parts_add_light(scene,
-		&(struct sm_light_desc){
-			.type = SM_LIGHT_DIRECTIONAL, .position = {0, 5, 0}, .radius = 0.005f});
-}
-
-/* The slope comes down over the strip by 45 degrees and through its plane beyond. At a texel that
- * misses the strip the slope may lie where the strip would: what tells that it is another sheet is
- * the strip's edge on the way. All that is seen here, the slope from below and the strip in its
- * shadow, is dark. Where the slope is nearer than this, by z, and its own depth at such a texel is
- * behind the strip, nothing tells. */
-static void assert_dark_strip(struct rig *rig, const struct profile *profile)
-{
-	const float c = 0.956305f, s = 0.292372f; /* of 17 degrees */
-	add_strip(rig->scene, profile);
+	strip_add(rig->scene, profile);
 	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "gather"});
 	uint32_t lit = 0;
 	for (int i = 0; i < 20; i++) {
-		float z = -0.72f + 0.004f * (float)i;
-		struct sm_camera camera = {.eye = {s * z, 0.5f, c * z},
-			.target = {c + s * z, 0, c * z - s},
-			.up = {0, 1, 0},
-			.fov = 1.5f};
+		struct sm_camera camera = strip_camera(-0.72f + 0.004f * (float)i);
 		struct visibility seen;
 		visibility_draw(&seen, rig, rig->scene, &camera, SIZE, SIZE);
 		for (uint32_t at = 0; at < SIZE * SIZE; at++)
@@ -270,19 +232,17 @@ static void assert_dark_strip(struct rig *rig, const struct profile *profile)
 
 static void what_matches_is_not_always_the_own_sheet(void **state)
 {
-	assert_dark_strip(*state, &(struct profile){{{0.997f, 0}, {1, 0}}, 2});
+	assert_dark_strip(*state, &strip_level);
 }
 
-/* The edge is before what is seen of the strip, on its rise, and behind the plane of that. */
 static void a_bent_sheets_edge_is_its_own(void **state)
 {
-	assert_dark_strip(*state, &(struct profile){{{0.996f, -0.003f}, {0.9985f, 0}, {1, 0}}, 3});
+	assert_dark_strip(*state, &strip_bent);
 }
 
-/* The edge is deeper than the strip, on its plane. */
 static void a_falling_sheets_edge_is_its_own(void **state)
 {
-	assert_dark_strip(*state, &(struct profile){{{0.998f, 0.0005f}, {1, 0}}, 2});
+	assert_dark_strip(*state, &strip_falling);
 }
 
 int main(void)
