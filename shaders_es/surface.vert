@@ -16,7 +16,7 @@ out float surface_up;      // y of the normal in the world
 #ifdef TEXTURED
 out vec2 surface_uv;
 #endif
-#if defined(SEEN) || defined(FOUND)
+#if defined(SEEN) || defined(SAMPLES)
 out vec2 surface_depth; // z and w of clip space
 #endif
 #ifdef COARSE
@@ -37,7 +37,7 @@ void main()
 #ifdef TEXTURED
 	surface_uv = uv;
 #endif
-#if defined(SEEN) || defined(FOUND)
+#if defined(SEEN) || defined(SAMPLES)
 	surface_depth = gl_Position.zw;
 #endif
 #ifdef COARSE

@@ -96,8 +96,9 @@ static uint64_t object_flags(const struct surface_pass *pass, const struct objec
 	if (flags & FLAG_SHADOWED) {
 		uint64_t way = technique->surface_flags(pass->shadow->state);
 		flags |= flags & FLAG_RECEIVERS ? way & FLAG_COARSE
-			 : pass->found != NULL  ? FLAG_FOUND
-						: way;
+			 : pass->found != NULL
+				 ? FLAG_FOUND | (pass->multisampled ? FLAG_SAMPLES : 0)
+				 : way;
 	}
 	return flags;
 }
@@ -238,7 +239,7 @@ static float area_on_screen(
 static uint64_t flags_of(const struct surface_pass *pass, uint64_t all, enum need need)
 {
 	const struct technique *technique = pass->renderer->shadows.technique;
-	uint64_t shadowed = FLAG_SHADOWED | FLAG_FOUND;
+	uint64_t shadowed = FLAG_SHADOWED | FLAG_FOUND | FLAG_SAMPLES;
 	uint64_t lit = all & ~(shadowed | technique->surface_flags(pass->shadow->state));
 	switch (need) {
 	case NEED_AMBIENT:

@@ -56,6 +56,7 @@ static const struct {
 	FLAG(WORDS),
 	FLAG(TWO_LAYERS),
 	FLAG(HOLLOWS),
+	FLAG(SAMPLES),
 #undef FLAG
 };
 
@@ -169,7 +170,7 @@ static const struct {
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
 				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS |
 				 FLAG_COARSE | FLAG_BEHIND | FLAG_WORDS | FLAG_TWO_LAYERS |
-				 FLAG_HOLLOWS,
+				 FLAG_HOLLOWS | FLAG_SAMPLES,
 			.parts =
 				{
 					{{"surface.vert"}},
@@ -201,7 +202,7 @@ static const struct {
 						{"sparse_visibility.glsl", FLAG_CELLS},
 						{"exact_seen.glsl", FLAG_SEEN},
 						{"deferred_seen.glsl", FLAG_FOUND},
-						{"shadow_seen.glsl", FLAG_SEEN | FLAG_FOUND},
+						{"shadow_seen.glsl", FLAG_SEEN | FLAG_SAMPLES},
 						{"common_middle.glsl", FLAG_COARSE},
 						{"surface.frag"},
 					},
@@ -323,12 +324,9 @@ static bool implies(uint64_t flags, uint64_t flag, uint64_t needed)
 	return !(flags & flag) || (flags & needed) == needed;
 }
 
-static int count_bits(uint64_t bits)
+static bool are_several(uint64_t bits)
 {
-	int count = 0;
-	for (; bits != 0; bits &= bits - 1)
-		count++;
-	return count;
+	return (bits & (bits - 1)) != 0;
 }
 
 static bool excludes(uint64_t flags, uint64_t flag, uint64_t other)
@@ -356,8 +354,8 @@ static bool surface_is_valid(uint64_t flags)
 {
 	/* Cells are a way by themselves, or come before edges. */
 	uint64_t kinds = flags & FLAG_EDGES ? SHADOW_FLAGS : SHADOW_FLAGS | FLAG_CELLS;
-	return count_bits(flags & kinds) == (flags & FLAG_SHADOWED ? 1 : 0) &&
-	       implies(flags, FLAG_CELLS, FLAG_SHADOWED) &&
+	return ((flags & kinds) != 0) == ((flags & FLAG_SHADOWED) != 0) &&
+	       !are_several(flags & kinds) && implies(flags, FLAG_CELLS, FLAG_SHADOWED) &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
 	       implies(flags, FLAG_ALPHA_DEPTH, FLAG_SEPARATE_DEPTH) &&
@@ -371,6 +369,7 @@ static bool surface_is_valid(uint64_t flags)
 	       excludes(flags, FLAG_TWO_LAYERS, FLAG_BEHIND) &&
 	       implies(flags, FLAG_HOLLOWS, FLAG_EDGES) &&
 	       excludes(flags, FLAG_HOLLOWS, FLAG_BEHIND) &&
+	       implies(flags, FLAG_SAMPLES, FLAG_FOUND) &&
 	       excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
@@ -383,7 +382,7 @@ bool program_key_is_valid(struct program_key key)
 {
 	uint64_t flags = key.flags;
 	if (flags & ~programs[key.kind].flags ||
-		count_bits(flags & (FLAG_DEPTH_FLOAT | PLAIN_FLAGS)) > 1)
+		are_several(flags & (FLAG_DEPTH_FLOAT | PLAIN_FLAGS)))
 		return false;
 	switch (key.kind) {
 	case PROGRAM_SURFACE:

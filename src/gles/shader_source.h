@@ -79,9 +79,10 @@ enum program_kind {
 #define FLAG_WORDS (UINT64_C(1) << 40)
 #define FLAG_TWO_LAYERS (UINT64_C(1) << 41)
 #define FLAG_HOLLOWS (UINT64_C(1) << 42)
+#define FLAG_SAMPLES (UINT64_C(1) << 43)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 43)
+#define FLAG_END (UINT64_C(1) << 44)
 
 struct program_key {
 	enum program_kind kind;

@@ -50,6 +50,7 @@ static const struct {
 	{FLAG_BEHIND, "BEHIND"},
 	{FLAG_TWO_LAYERS, "TWO_LAYERS"},
 	{FLAG_HOLLOWS, "HOLLOWS"},
+	{FLAG_SAMPLES, "SAMPLES"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -151,17 +152,18 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	/* Whole lists or runs, on fine or coarse raster grids, behind all casters or anywhere, with
 	 * up to two layers or more, and with triangles over hollows or without. */
 	const size_t edges = 2 * 2 * (1 + 2 * 2);
-	const size_t shadows = comparison + /* hard */
-			       3 * taps +   /* smoothies, with no or own depth, or alpha too */
-			       1 +          /* depth and alpha of smoothies at once */
-			       taps +       /* two-sided smoothies */
-			       taps +       /* bicubic */
-			       3 * plain +  /* pcss: plain depths, and one of three comparisons */
-			       comparison + /* maps */
-			       2 * 2 +      /* variance maps, filtered or fetched, whole or split */
-			       2 * edges +  /* gather, for each pixel or what cells leave out */
-			       1 +          /* cells */
-			       1;           /* what was found before surfaces */
+	const size_t shadows =
+		comparison + /* hard */
+		3 * taps +   /* smoothies, with no or own depth, or alpha too */
+		1 +          /* depth and alpha of smoothies at once */
+		taps +       /* two-sided smoothies */
+		taps +       /* bicubic */
+		3 * plain +  /* pcss: plain depths, and one of three comparisons */
+		comparison + /* maps */
+		2 * 2 +      /* variance maps, filtered or fetched, whole or split */
+		2 * edges +  /* gather, for each pixel or what cells leave out */
+		1 +          /* cells */
+		2;           /* what was found before surfaces, of one sample a pixel or more */
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
 	/* What was seen before has no picture of visibility; points without light or shadow, or
@@ -248,6 +250,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_HOLLOWS},
 		{PROGRAM_SURFACE,
 			FLAG_LIT | FLAG_SHADOWED | FLAG_EDGES | FLAG_BEHIND | FLAG_HOLLOWS},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SEEN | FLAG_SAMPLES},
 		{PROGRAM_SURFACE, FLAG_END},
 	};
 	for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++)
@@ -257,7 +260,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 static void names_tell_variants_apart(void **state)
 {
 	(void)state;
-	char text[380], cut[8];
+	char text[390], cut[8];
 	struct program_key key = {PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD};
 	assert_string_equal(program_key_name(key, text, sizeof(text)), "surface LIT SHADOWED HARD");
 	assert_string_equal(program_key_name(key, cut, sizeof(cut)), "surface");
