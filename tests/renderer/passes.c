@@ -53,16 +53,6 @@ static void (*get_proc(const char *name))(void)
 	return platform_get_proc(name);
 }
 
-static void set_up(struct sm_scene *scene)
-{
-	uint32_t square = parts_add_square(scene);
-	parts_add_object(scene, square, PART_CASTS,
-		&(struct pose){.scale = {0.5f, 1, 0.5f}, .position = {0, 2, 0}});
-	parts_add_object(scene, square, PART_RECEIVES, &(struct pose){.scale = {2, 1, 2}});
-	parts_add_light(
-		scene, &(struct sm_light_desc){.position = {0, 4, 0}, .radius = 0.6f, .angle = 80});
-}
-
 static void use_renderer(struct rig *rig, const char *path, const char *technique)
 {
 	const struct sm_driver_options driver = {.paths = &path, .path_count = 1};
@@ -92,7 +82,7 @@ static void passes_wait_before_they_clear(void **state)
 		"hard", "pcf", "smoothie", "smoothie-two-sided", "maps", "vsm"};
 	struct rig *rig = *state;
 	struct canvas canvas;
-	set_up(rig->scene);
+	parts_add_shadowed_square(rig->scene);
 	canvas_init(&canvas, GL_SRGB8_ALPHA8, SIZE, SIZE);
 	for (size_t i = 0; i < sizeof(techniques) / sizeof(techniques[0]); i++) {
 		if (!rig_can_draw(techniques[i]))

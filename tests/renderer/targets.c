@@ -37,16 +37,6 @@ static void (*get_proc(const char *name))(void)
 							     : platform_get_proc(name);
 }
 
-static void set_up(struct sm_scene *scene)
-{
-	uint32_t square = parts_add_square(scene);
-	parts_add_object(scene, square, PART_CASTS,
-		&(struct pose){.scale = {0.5f, 1, 0.5f}, .position = {0, 2, 0}});
-	parts_add_object(scene, square, PART_RECEIVES, &(struct pose){.scale = {2, 1, 2}});
-	parts_add_light(
-		scene, &(struct sm_light_desc){.position = {0, 4, 0}, .radius = 0.6f, .angle = 80});
-}
-
 static const struct sm_camera camera = {.eye = {0, 3, 6}, .up = {0, 1, 0}, .fov = 40};
 
 static void ignore_fact(void *data, const char *key, const char *value)
@@ -125,7 +115,7 @@ static void what_could_not_be_made_is_made_later(void **state)
 		{NULL, {.precision = SM_PRECISION_HALF}, 7},
 		{NULL, {.precision = SM_PRECISION_FIXED12}, 7},
 	};
-	set_up(rig->scene);
+	parts_add_shadowed_square(rig->scene);
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct sm_shadow_options options = cases[i].options;
 		options.map_size = 64;

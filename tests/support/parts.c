@@ -137,3 +137,13 @@ uint32_t parts_add_light(struct sm_scene *scene, const struct sm_light_desc *des
 		fail_msg("%s", error.text);
 	return light;
 }
+
+void parts_add_shadowed_square(struct sm_scene *scene)
+{
+	uint32_t square = parts_add_square(scene);
+	parts_add_object(scene, square, PART_CASTS,
+		&(struct pose){.scale = {0.5f, 1, 0.5f}, .position = {0, 2, 0}});
+	parts_add_object(scene, square, PART_RECEIVES, &(struct pose){.scale = {2, 1, 2}});
+	parts_add_light(
+		scene, &(struct sm_light_desc){.position = {0, 4, 0}, .radius = 0.6f, .angle = 80});
+}

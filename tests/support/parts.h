@@ -35,4 +35,7 @@ uint32_t parts_add_object(
 /** Without an intensity: a white one of intensity 1. */
 uint32_t parts_add_light(struct sm_scene *scene, const struct sm_light_desc *desc);
 
+/** A square that receives, below a lesser one that casts, below a light. */
+void parts_add_shadowed_square(struct sm_scene *scene);
+
 #endif
