@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "technique/gather.h"
+#include "base/float_range.h"
 #include "base/log.h"
 #include "base/processor_time.h"
 #include "gles/raster_grid.h"
@@ -162,7 +163,7 @@ static bool cell_is_soft(const struct edge_grid *grid, int x, int row, float *fa
 		for (uint32_t i = first[0]; i < end[0]; i++) {
 			const struct edge_tile *tile = &grid->of[j * tiles + i];
 			edges = edges || edge_tile_count(tile) > 0;
-			*farthest = fmaxf(*farthest, tile->farthest);
+			*farthest = larger(*farthest, tile->farthest);
 		}
 	return edges || *farthest > 0.0f;
 }
