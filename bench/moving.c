@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the light passes of a frame take in which one of 100 casters has moved, with and without
- * the skip "static", interleaved in one run. */
+/* What the light passes of a frame take in which one of 100 casters has moved, or most have, with
+ * and without the skip "static", interleaved in one run. */
 #include "bench/statistics.h"
 #include "bench/stress_shape.h"
 #include "platform.h"
@@ -16,6 +16,7 @@
 #define MAP_SIZE 1024
 #define PICTURE_SIZE 64 /* of which the passes of a light are independent */
 #define ROUNDS 41
+#define MOST_MOVE "--most-move"
 #define SPHERE_STEPS 16
 
 /* A way to draw, and when its light passes were done; 0 until they are. */
@@ -28,6 +29,7 @@ struct bench {
 	struct sm_scene *scene;
 	GLuint framebuffer, buffers[2];
 	struct contender all, changed;
+	bool most_move;
 };
 
 /* Of all threads, since the driver may be some. */
@@ -74,10 +76,9 @@ static void place(float transform[16], float size, const float position[3])
 	transform[15] = 1.0f;
 }
 
-/* turn: of the moving one, about the middle of its place. */
-static void place_caster(float transform[16], uint32_t index, float turn)
+/* away: from the middle of its place. */
+static void place_caster(float transform[16], uint32_t index, float away, float turn)
 {
-	float away = index == MOVING ? 0.2f : 0.0f;
 	const float position[3] = {(float)(index % SIDE) + away * cosf(turn), 0.5f,
 		(float)(index / SIDE) + away * sinf(turn)};
 	place(transform, 0.3f, position);
@@ -91,7 +92,7 @@ static bool add_objects(struct sm_scene *scene, struct sm_error *error)
 	uint32_t handle;
 	for (uint32_t i = 0; i < SIDE * SIDE; i++) {
 		desc.mesh = 1 + i % 2;
-		place_caster(desc.transform, i, 0.0f);
+		place_caster(desc.transform, i, 0.0f, 0.0f);
 		if (!sm_scene_add_object(scene, &desc, &handle, error))
 			return false;
 	}
@@ -166,13 +167,30 @@ static double draw(struct bench *bench, struct contender *contender, struct sm_e
 	return drawn ? contender->ready - start : -1.0;
 }
 
+/* Those at the rim stay, and the light's screen and depth range with them. */
+static bool moves(const struct bench *bench, uint32_t index)
+{
+	uint32_t column = index % SIDE, row = index / SIDE;
+	bool at_rim = column == 0 || row == 0 || column == SIDE - 1 || row == SIDE - 1;
+	return bench->most_move ? !at_rim : index == MOVING;
+}
+
+static bool move_casters(struct bench *bench, float turn, struct sm_error *error)
+{
+	float transform[16];
+	for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+		place_caster(transform, i, 0.2f, turn);
+		if (moves(bench, i) && !sm_scene_set_transform(bench->scene, i, transform, error))
+			return false;
+	}
+	return true;
+}
+
 static bool measure(struct bench *bench, struct sm_error *error)
 {
 	/* The first two rounds compile all programs. */
 	for (int round = -2; round < ROUNDS; round++) {
-		float transform[16];
-		place_caster(transform, MOVING, 0.3f * (float)round);
-		if (!sm_scene_set_transform(bench->scene, MOVING, transform, error))
+		if (!move_casters(bench, 0.3f * (float)round, error))
 			return false;
 		double all = draw(bench, &bench->all, error);
 		double changed = draw(bench, &bench->changed, error);
@@ -186,50 +204,69 @@ static bool measure(struct bench *bench, struct sm_error *error)
 	return true;
 }
 
-/* names: of the techniques, none for all, up to NULL. */
-static bool is_wanted(char *const *names, const char *technique)
+static bool compare(struct bench *bench, size_t technique, uint32_t samples, struct sm_error *error)
 {
-	if (*names == NULL)
-		return strcmp(technique, "maps") != 0;
+	const struct sm_shadow_options options = {.technique = sm_technique_name(technique),
+		.map_size = MAP_SIZE,
+		.samples = samples};
+	if (!sm_renderer_set_shadows(bench->all.renderer, &options, error) ||
+		!sm_renderer_set_shadows(bench->changed.renderer, &options, error) ||
+		!measure(bench, error))
+		return false;
+	double all = statistics_median(bench->all.times, ROUNDS);
+	double changed = statistics_median(bench->changed.times, ROUNDS);
+	printf("  %-20s", options.technique);
+	if (samples > 0)
+		printf(" %2u samples", samples);
+	printf(" all %7.2f  what changed %7.2f  ratio %.3f\n", all, changed, changed / all);
+	fflush(stdout);
+	return true;
+}
+
+/* With each number of samples that there are. */
+static bool compare_samples(struct bench *bench, size_t technique, struct sm_error *error)
+{
+	uint32_t samples;
+	for (size_t i = 0; (samples = sm_technique_samples(technique, i)) > 0 || i == 0; i++)
+		if (!compare(bench, technique, samples, error))
+			return false;
+	return true;
+}
+
+static bool is_named(char *const *names, const char *technique)
+{
 	for (; *names != NULL; names++)
 		if (strcmp(*names, technique) == 0)
 			return true;
 	return false;
 }
 
+/* names: of the techniques, up to NULL; none for all, with the default number of samples. */
 static bool run(struct bench *bench, char *const *names, struct sm_error *error)
 {
-	printf("one of %d casters moves, map %d, light passes in ms of all processors\n",
-		SIDE * SIDE, MAP_SIZE);
-	for (size_t i = 0; sm_technique_name(i) != NULL; i++) {
-		const struct sm_shadow_options options = {
-			.technique = sm_technique_name(i), .map_size = MAP_SIZE};
-		if (!is_wanted(names, options.technique))
-			continue;
-		if (!sm_renderer_set_shadows(bench->all.renderer, &options, error) ||
-			!sm_renderer_set_shadows(bench->changed.renderer, &options, error) ||
-			!measure(bench, error))
+	printf("%s of %d casters moved, map %d, light passes in ms of all processors\n",
+		bench->most_move ? "most" : "one", SIDE * SIDE, MAP_SIZE);
+	for (size_t i = 0; sm_technique_name(i) != NULL; i++)
+		if (*names == NULL ? !compare(bench, i, 0, error)
+				   : is_named(names, sm_technique_name(i)) &&
+					     !compare_samples(bench, i, error))
 			return false;
-		double all = statistics_median(bench->all.times, ROUNDS);
-		double changed = statistics_median(bench->changed.times, ROUNDS);
-		printf("  %-20s all %7.2f  what changed %7.2f  ratio %.3f\n", options.technique,
-			all, changed, changed / all);
-		fflush(stdout);
-	}
 	return true;
 }
 
 int main(int argc, char *argv[])
 {
 	(void)argc;
-	struct bench bench = {0};
+	char **names = argv + 1;
+	struct bench bench = {.most_move = *names != NULL && strcmp(*names, MOST_MOVE) == 0};
+	names += bench.most_move;
 	struct sm_error error = {0};
 	struct platform *platform = platform_create(NULL, false, &error);
 	bool done = platform != NULL && make_scene(&bench, &error);
 	if (done)
 		make_target(&bench);
 	done = done && make_contender(&bench.all, "-static", &error) &&
-	       make_contender(&bench.changed, NULL, &error) && run(&bench, argv + 1, &error);
+	       make_contender(&bench.changed, NULL, &error) && run(&bench, names, &error);
 	sm_renderer_destroy(bench.all.renderer);
 	sm_renderer_destroy(bench.changed.renderer);
 	sm_scene_destroy(bench.scene);
