@@ -2,6 +2,7 @@
 #include "geom/caster.h"
 #include "base/array.h"
 #include "geom/triangle_order.h"
+#include <assert.h>
 #include <meshoptimizer.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -105,8 +106,24 @@ error:
 	return false;
 }
 
+bool caster_let_move(struct caster *caster)
+{
+	struct hollows moving;
+	if (caster->hollows.moving)
+		return true;
+	if (!hollows_init(
+		    &moving, NULL, caster->indices, &caster->edges, caster->found.closed_count)) {
+		hollows_finish(&moving);
+		return false;
+	}
+	hollows_finish(&caster->hollows);
+	caster->hollows = moving;
+	return true;
+}
+
 void caster_move(struct caster *caster, const float (*positions)[3])
 {
+	assert(caster->hollows.moving);
 	for (size_t v = 0; v < caster->vertex_count; v++)
 		memcpy(caster->positions[v], positions[caster->sources[v]],
 			sizeof(caster->positions[v]));

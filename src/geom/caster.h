@@ -33,9 +33,12 @@ bool caster_init(struct caster *caster, const float (*positions)[3], size_t vert
 	const uint32_t *indices, size_t triangle_count);
 void caster_finish(struct caster *caster);
 
+/** Before the first caster_move(). False: out of memory; nothing has changed. */
+bool caster_let_move(struct caster *caster);
+
 /** Moves vertices: positions as for caster_init(), of as many vertices. What was welded stays so,
- *  and windings, parts, edges and hollows are those of the first positions. The cones are dropped:
- * they take longer to make than triangles take to test. */
+ *  and windings, parts and edges are those of the first positions. The cones are dropped: they take
+ *  longer to make than triangles take to test. */
 void caster_move(struct caster *caster, const float (*positions)[3]);
 
 #endif

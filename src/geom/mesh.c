@@ -337,7 +337,7 @@ bool mesh_set_vertices(struct mesh *mesh, const float *positions, const float *n
 	*changed = false;
 	if (!check_positions(positions, mesh->source_count, name_of(mesh->name), error))
 		return false;
-	if (!reserve_sums(mesh, normals, &sums))
+	if (!caster_let_move(&mesh->caster) || !reserve_sums(mesh, normals, &sums))
 		return error_no_memory(error);
 	bool moved = false;
 	for (size_t v = 0; v < mesh->vertex_count; v++) {

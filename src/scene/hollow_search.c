@@ -187,6 +187,13 @@ void hollow_search_begin(struct hollow_search *search, const struct caster_view 
 	}
 }
 
+static bool rises(const struct hollow_search *search, const struct hollow *hollow)
+{
+	const struct caster *caster = search->view->caster;
+	return !caster->hollows.moving ||
+	       hollow_rises(hollow, (const float(*)[3])caster->positions, caster->indices);
+}
+
 /* Of triangles with planes that may be near enough. */
 static bool is_hiding(struct hollow_search *search, const struct hollow *hollow)
 {
@@ -198,7 +205,7 @@ static bool is_hiding(struct hollow_search *search, const struct hollow *hollow)
 		return false;
 	if (triangle != search->triangle)
 		look_at(search, triangle);
-	if (!search->grazing)
+	if (!search->grazing || !rises(search, hollow))
 		return false;
 	place_of(search, hollow, place);
 	return may_hide(search, place) && hides(search, place);

@@ -340,6 +340,59 @@ static void triangles_over_hollows_are_listed_as_far_as_there_is_room(void **sta
 	world_finish(&world);
 }
 
+/* The spike is on top, and curves into the sphere: not all edges there are hollow enough. */
+static struct model sphere_with_spike(float height)
+{
+	struct model model = model_sphere(5);
+	for (size_t v = 0; v < model.vertex_count; v++) {
+		float *at = model.positions[v];
+		if (at[1] > 0.0f)
+			at[1] += height * expf(-16.0f * (at[0] * at[0] + at[2] * at[2]));
+	}
+	return model;
+}
+
+/* A spike that grows, or goes, under a wide light: what stands over hollows is that of a mesh made
+ * so. */
+static void triangles_stand_over_hollows_of_where_the_mesh_is(void **state)
+{
+	(void)state;
+	static const struct {
+		float at_first, then;
+		bool any;
+	} rows[] = {{0.0f, 1.0f, true}, {1.0f, 0.0f, false}, {1.0f, 1.0f, true}};
+	struct sm_light_desc light = world_lamp;
+	const float above[3] = {0.01f, 4.0f, 0.0f};
+	memcpy(light.position, above, sizeof(above));
+	light.target[0] = 0.0f;
+	light.radius = 0.8f;
+	struct model between = sphere_with_spike(0.5f);
+	for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+		struct model at_first = sphere_with_spike(rows[i].at_first);
+		struct model then = sphere_with_spike(rows[i].then);
+		struct world moved, made;
+		world_init(&moved);
+		world_init(&made);
+		world_add_object(&moved, &at_first, unmoved, true);
+		world_add_object(&made, &then, unmoved, true);
+		for (int k = 0; k < 2; k++)
+			assert_true(sm_scene_set_vertices(moved.stage.scene, 0,
+				(k == 0 ? &between : &then)->positions[0], NULL, NULL));
+		world_aim(&moved, &light);
+		world_aim(&made, &light);
+		world_find(&moved, &usual);
+		world_find(&made, &usual);
+		assert_int_equal(moved.grid.chains.hollow_count, made.grid.chains.hollow_count);
+		assert_int_equal(moved.grid.hollows.count, made.grid.hollows.count);
+		assert_int_equal(made.grid.hollows.count > 0, rows[i].any);
+		world_finish(&moved);
+		world_finish(&made);
+		model_finish(&at_first);
+		model_finish(&then);
+	}
+	model_finish(&between);
+}
+
 static void without_casters_or_receivers_nothing_is_listed(void **state)
 {
 	(void)state;
@@ -487,6 +540,7 @@ int main(void)
 		cmocka_unit_test(finer_edges_round_to_the_raster_grid),
 		cmocka_unit_test(triangles_that_the_light_grazes_are_listed_beside_them),
 		cmocka_unit_test(triangles_over_hollows_are_listed_as_far_as_there_is_room),
+		cmocka_unit_test(triangles_stand_over_hollows_of_where_the_mesh_is),
 		cmocka_unit_test(without_casters_or_receivers_nothing_is_listed),
 		cmocka_unit_test(a_point_light_lists_edges_where_they_are),
 		cmocka_unit_test(everything_is_finite),
