@@ -28,17 +28,14 @@ static int write_stage(const char *folder, struct program_key key, enum shader_s
 	return fclose(file) != 0;
 }
 
-/* All sets of the flags that mean something to the kind. */
 static int write_kind(const char *folder, enum program_kind kind)
 {
-	uint64_t all = program_kind_flags(kind), flags = 0;
-	do {
-		struct program_key key = {.kind = kind, .flags = flags};
+	struct program_key key = {.kind = kind};
+	do
 		if (program_key_is_valid(key) && (write_stage(folder, key, STAGE_VERTEX) ||
 							 write_stage(folder, key, STAGE_FRAGMENT)))
 			return 1;
-		flags = (flags - all) & all;
-	} while (flags != 0);
+	while (program_key_next(&key));
 	return 0;
 }
 

@@ -342,68 +342,101 @@ static bool reads_plainly(uint64_t flags)
 }
 
 /* Receivers are drawn for any way alike. */
-static bool receivers_are_valid(uint64_t flags)
+static bool receivers_are_complete(uint64_t flags)
 {
-	return !(flags & ~(FLAG_RECEIVERS | FLAG_LIT | FLAG_SHADOWED | FLAG_VISIBILITY |
-				 FLAG_COARSE)) &&
-	       implies(flags, FLAG_COARSE, FLAG_SHADOWED) &&
+	return implies(flags, FLAG_COARSE, FLAG_SHADOWED) &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT);
 }
 
-static bool surface_is_valid(uint64_t flags)
+static bool surface_is_complete(uint64_t flags)
 {
-	/* Cells are a way by themselves, or come before edges. */
-	uint64_t kinds = flags & FLAG_EDGES ? SHADOW_FLAGS : SHADOW_FLAGS | FLAG_CELLS;
-	return ((flags & kinds) != 0) == ((flags & FLAG_SHADOWED) != 0) &&
-	       !are_several(flags & kinds) && implies(flags, FLAG_CELLS, FLAG_SHADOWED) &&
+	bool shadowed = (flags & FLAG_SHADOWED) != 0;
+	return ((flags & (SHADOW_FLAGS | FLAG_CELLS)) != 0) == shadowed &&
 	       implies(flags, FLAG_SHADOWED, FLAG_LIT) &&
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
 	       implies(flags, FLAG_ALPHA_DEPTH, FLAG_SEPARATE_DEPTH) &&
 	       implies(flags, FLAG_WORDS, FLAG_SMOOTHIE | FLAG_GATHER) &&
-	       excludes(flags, FLAG_WORDS, FLAG_SEPARATE_DEPTH) &&
 	       implies(flags, FLAG_SPLIT, FLAG_VSM) &&
 	       implies(flags, FLAG_POINTS, FLAG_VISIBILITY) &&
 	       implies(flags, FLAG_RUNS, FLAG_EDGES) && implies(flags, FLAG_COARSE, FLAG_EDGES) &&
 	       implies(flags, FLAG_BEHIND, FLAG_EDGES) &&
 	       implies(flags, FLAG_TWO_LAYERS, FLAG_EDGES) &&
-	       excludes(flags, FLAG_TWO_LAYERS, FLAG_BEHIND) &&
 	       implies(flags, FLAG_HOLLOWS, FLAG_EDGES) &&
-	       excludes(flags, FLAG_HOLLOWS, FLAG_BEHIND) &&
 	       implies(flags, FLAG_SAMPLES, FLAG_FOUND) &&
-	       excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
-	       excludes(flags, FLAG_GATHER, FLAG_FOUR_FETCHES) &&
-	       (!(flags & PLAIN_FLAGS) || reads_plainly(flags)) &&
-	       excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB | FLAG_SEEN);
+	       (!(flags & PLAIN_FLAGS) || reads_plainly(flags));
+}
+
+/* Whether each flag has those that it needs. */
+static bool is_complete(struct program_key key)
+{
+	uint64_t flags = key.flags;
+	switch (key.kind) {
+	case PROGRAM_SURFACE:
+		return flags & FLAG_RECEIVERS ? receivers_are_complete(flags)
+					      : surface_is_complete(flags);
+	case PROGRAM_FIND:
+		return (flags & FLAG_RECEIVERS) != 0;
+	case PROGRAM_BLUR:
+		return !(flags & (FLAG_RECEIVER_MAP | PLAIN_FLAGS)) || flags & FLAG_FROM_DEPTH;
+	default:
+		return true;
+	}
+}
+
+static bool surface_conflicts(uint64_t flags)
+{
+	return are_several(flags & SHADOW_FLAGS) ||
+	       /* Cells are a way by themselves, or come before edges. */
+	       !excludes(flags, FLAG_CELLS, SHADOW_FLAGS & ~FLAG_EDGES) ||
+	       !excludes(flags, FLAG_RECEIVERS,
+		       ~(FLAG_RECEIVERS | FLAG_LIT | FLAG_SHADOWED | FLAG_VISIBILITY |
+			       FLAG_COARSE)) ||
+	       !excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) ||
+	       !excludes(flags, FLAG_BEHIND, FLAG_TWO_LAYERS | FLAG_HOLLOWS) ||
+	       !excludes(flags, FLAG_WORDS, FLAG_SEPARATE_DEPTH) ||
+	       !excludes(flags, FLAG_GATHER, FLAG_FOUR_FETCHES) ||
+	       !excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB | FLAG_SEEN);
+}
+
+/* Whether some flags are not had together: no flag more makes that good. */
+static bool conflicts(struct program_key key)
+{
+	uint64_t flags = key.flags;
+	if (are_several(flags & (FLAG_DEPTH_FLOAT | PLAIN_FLAGS)) ||
+		!excludes(flags, FLAG_ALPHA_DEPTH, FLAG_FETCH))
+		return true;
+	switch (key.kind) {
+	case PROGRAM_SURFACE:
+		return surface_conflicts(flags);
+	case PROGRAM_FIN:
+		return !excludes(flags, FLAG_DEPTH_ONLY,
+			FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH);
+	case PROGRAM_EXACT_FIN:
+		return !excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID);
+	case PROGRAM_SCREEN:
+		return !excludes(flags, FLAG_DITHER, FLAG_WIDEN);
+	default:
+		return false;
+	}
 }
 
 bool program_key_is_valid(struct program_key key)
 {
-	uint64_t flags = key.flags;
-	if (flags & ~programs[key.kind].flags ||
-		are_several(flags & (FLAG_DEPTH_FLOAT | PLAIN_FLAGS)))
-		return false;
-	switch (key.kind) {
-	case PROGRAM_SURFACE:
-		return flags & FLAG_RECEIVERS ? receivers_are_valid(flags)
-					      : surface_is_valid(flags);
-	case PROGRAM_FIND:
-		return (flags & ~(FLAG_RUNS | FLAG_COARSE | FLAG_POINTS | FLAG_TWO_LAYERS |
-					FLAG_HOLLOWS)) == FLAG_RECEIVERS;
-	case PROGRAM_FIN:
-		return excludes(flags, FLAG_DEPTH_ONLY,
-			       FLAG_SINUSOID | FLAG_CONE | FLAG_ALPHA_DEPTH | FLAG_FETCH) &&
-		       excludes(flags, FLAG_ALPHA_DEPTH, FLAG_FETCH);
-	case PROGRAM_EXACT_FIN:
-		return excludes(flags, FLAG_DEPTH_ONLY, FLAG_SINUSOID);
-	case PROGRAM_BLUR:
-		return !(flags & (FLAG_RECEIVER_MAP | PLAIN_FLAGS)) || flags & FLAG_FROM_DEPTH;
-	case PROGRAM_SCREEN:
-		return excludes(flags, FLAG_DITHER, FLAG_WIDEN);
-	default:
-		return excludes(flags, FLAG_ALPHA_DEPTH, FLAG_FETCH);
-	}
+	return !(key.flags & ~programs[key.kind].flags) && !conflicts(key) && is_complete(key);
+}
+
+bool program_key_next(struct program_key *key)
+{
+	uint64_t all = programs[key->kind].flags;
+	do {
+		/* All that follow until its lowest flag goes have the conflict, too. */
+		if (conflicts(*key))
+			key->flags |= (key->flags & -key->flags) - 1;
+		key->flags = ((key->flags | ~all) + 1) & all;
+	} while (key->flags != 0 && !program_key_is_valid(*key));
+	return key->flags != 0;
 }
 
 uint64_t program_kind_flags(enum program_kind kind)

@@ -95,6 +95,9 @@ enum shader_stage { STAGE_VERTEX, STAGE_FRAGMENT };
  *  built. */
 bool program_key_is_valid(struct program_key key);
 
+/** From flags 0, valid or not, to the next variant of the kind, until there is none. */
+bool program_key_next(struct program_key *key);
+
 /** The flags that mean something to a kind of program. */
 uint64_t program_kind_flags(enum program_kind kind);
 

@@ -103,17 +103,15 @@ static void check_stage(struct program_key key, enum shader_stage stage)
 /* Checks both stages of every variant of a kind, and counts these. */
 static size_t check_kind(enum program_kind kind)
 {
-	uint64_t all = program_kind_flags(kind), bits = 0;
+	struct program_key key = {.kind = kind};
 	size_t count = 0;
 	do {
-		struct program_key key = {.kind = kind, .flags = bits};
 		if (program_key_is_valid(key)) {
 			check_stage(key, STAGE_VERTEX);
 			check_stage(key, STAGE_FRAGMENT);
 			count++;
 		}
-		bits = (bits - all) & all;
-	} while (bits != 0);
+	} while (program_key_next(&key));
 	return count;
 }
 
@@ -175,6 +173,34 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	 * more, with triangles over hollows or without, of pixels or points. */
 	assert_int_equal(counts[PROGRAM_FIND], 2 * 2 * 2 * 2 * 2);
 	assert_int_equal(counts[PROGRAM_KNOWN], 2);
+}
+
+/* Variants that have the key's flags, and up to so many more of those that are left. */
+static size_t count_variants(struct program_key key, uint64_t left, unsigned more)
+{
+	size_t count = program_key_is_valid(key);
+	for (; more > 0 && left != 0; left &= left - 1) {
+		struct program_key with = {key.kind, key.flags | (left & -left)};
+		count += count_variants(with, left & (left - 1), more - 1);
+	}
+	return count;
+}
+
+/* Sets of flags are passed over with what they have in common. All of up to seven tell whether that
+ * loses a variant. */
+static void no_variant_is_passed_over(void **state)
+{
+	(void)state;
+	for (int kind = 0; kind < PROGRAM_KINDS; kind++) {
+		struct program_key key = {.kind = (enum program_kind)kind};
+		uint64_t all = program_kind_flags(key.kind), before;
+		size_t wanted = count_variants(key, all, 7), found = program_key_is_valid(key);
+		for (before = 0; program_key_next(&key); before = key.flags) {
+			assert_true(key.flags > before && program_key_is_valid(key));
+			found += __builtin_popcountll(key.flags) <= 7;
+		}
+		assert_int_equal(found, wanted);
+	}
 }
 
 static void shadow_functions_come_with_the_flag_of_their_technique(void **state)
@@ -272,6 +298,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(each_valid_variant_assembles_with_its_defines),
+		cmocka_unit_test(no_variant_is_passed_over),
 		cmocka_unit_test(shadow_functions_come_with_the_flag_of_their_technique),
 		cmocka_unit_test(flags_that_make_no_sense_are_refused),
 		cmocka_unit_test(names_tell_variants_apart),
