@@ -283,23 +283,62 @@ bool mesh_misses_screen(
 	return false;
 }
 
-void mesh_screen_box(
-	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, struct screen_box *box)
+/* What a mesh is in on a screen. */
+struct bounds {
+	struct screen_box box;
+	float before_far[2]; /* NDC, of what is not before the near plane nor behind the far one */
+};
+
+static void add_corner(struct bounds *bounds, const vec4 corner, const vec4 sizes, float w)
+{
+	float x = corner[0] / w, y = corner[1] / w;
+	float z = fminf(fmaxf((corner[3] - corner[2]) / w, 0.0f), 2.0f);
+	float slack_x = ROUNDING * (sizes[0] + 4.0f * fabsf(x) * sizes[3]) / w;
+	float slack_y = ROUNDING * (sizes[1] + 4.0f * fabsf(y) * sizes[3]) / w;
+	float slack_z = ROUNDING * (sizes[2] + (1.0f + 4.0f * z) * sizes[3]) / w;
+	/* One that is too large for a float, or NaN, may be anywhere. */
+	if (!isfinite(corner[2]))
+		slack_z = INFINITY;
+	screen_box_add_point(&bounds->box, x - slack_x, y - slack_y);
+	screen_box_add_point(&bounds->box, x + slack_x, y + slack_y);
+	bounds->before_far[0] = fminf(bounds->before_far[0], z - slack_z);
+	bounds->before_far[1] = fmaxf(bounds->before_far[1], z + slack_z);
+}
+
+/* False: the mesh may come as near as the light itself. */
+static bool find_bounds(
+	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, struct bounds *bounds)
 {
 	vec4 sizes, corners[8];
 	find_corners(mesh, transform, world_to_clip, corners, sizes);
-	*box = screen_box_none();
+	*bounds = (struct bounds){screen_box_none(), {INFINITY, -INFINITY}};
 	for (int i = 0; i < 8; i++) {
 		/* Rounding leaves half of w at least; true for NaN too. */
 		float w = corners[i][3] - 2.0f * ROUNDING * sizes[3];
-		if (!(w > 2.0f * ROUNDING * sizes[3])) {
-			*box = screen_box_all();
-			return;
-		}
-		float x = corners[i][0] / w, y = corners[i][1] / w;
-		float slack_x = ROUNDING * (sizes[0] + 4.0f * fabsf(x) * sizes[3]) / w;
-		float slack_y = ROUNDING * (sizes[1] + 4.0f * fabsf(y) * sizes[3]) / w;
-		screen_box_add_point(box, x - slack_x, y - slack_y);
-		screen_box_add_point(box, x + slack_x, y + slack_y);
+		if (!(w > 2.0f * ROUNDING * sizes[3]))
+			return false;
+		add_corner(bounds, corners[i], sizes, w);
 	}
+	return true;
+}
+
+void mesh_screen_box(
+	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, struct screen_box *box)
+{
+	struct bounds bounds;
+	bool found = find_bounds(mesh, transform, world_to_clip, &bounds);
+	*box = found ? bounds.box : screen_box_all();
+}
+
+struct disc_box mesh_disc_box(
+	const struct mesh *mesh, mat4 transform, const struct light_frame *frame)
+{
+	struct bounds bounds;
+	if (!find_bounds(mesh, transform, (vec4 *)frame->world_to_clip, &bounds))
+		return disc_box_all();
+	float scale = disc_scale(frame);
+	float least = scale * bounds.before_far[0], most = scale * bounds.before_far[1];
+	if (!isfinite(least) || !isfinite(most))
+		return disc_box_all();
+	return (struct disc_box){bounds.box, {least, most}};
 }

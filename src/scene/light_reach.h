@@ -2,7 +2,7 @@
 #ifndef SCENE_LIGHT_REACH_H
 #define SCENE_LIGHT_REACH_H
 
-#include "geom/screen_box.h"
+#include "geom/disc_box.h"
 #include "scene/light.h"
 
 /** The part of space that a camera sees. */
@@ -40,5 +40,9 @@ bool mesh_misses_screen(
  *  light itself. */
 void mesh_screen_box(
 	const struct mesh *mesh, mat4 transform, mat4 world_to_clip, struct screen_box *box);
+
+/** The same, and where other points of the light's disc see it (technique/disc.h). */
+struct disc_box mesh_disc_box(
+	const struct mesh *mesh, mat4 transform, const struct light_frame *frame);
 
 #endif

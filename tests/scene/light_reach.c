@@ -227,6 +227,52 @@ static void test_what_a_screen_shows_is_in_its_box(void **unused)
 	assert_true(whole > 0 && whole < ROUNDS / 2 && inside > ROUNDS / 20);
 }
 
+/* As technique/disc.h has it: what is before the far plane is seen beside where the middle sees it.
+ */
+static bool is_in_disc_box(
+	const struct disc_box *box, const struct light_frame *frame, const float at[2], vec3 point)
+{
+	vec4 p = {point[0], point[1], point[2], 1};
+	struct screen_box seen = disc_box_from(box, at);
+	glm_mat4_mulv((vec4 *)frame->world_to_clip, p, p);
+	for (int axis = 0; axis < 2; axis++) {
+		float x = p[axis] / p[3] - disc_scale(frame) * at[axis] * (1 - p[2] / p[3]);
+		if (!(x >= seen.min[axis] && x <= seen.max[axis]))
+			return false;
+	}
+	return true;
+}
+
+static void test_what_a_point_of_a_disc_sees_is_in_its_box(void **unused)
+{
+	(void)unused;
+	int whole = 0, narrow = 0;
+	state = 0x1618033;
+	for (int round = 0; round < ROUNDS; round++) {
+		struct sm_scene *scene = random_scene();
+		struct sm_light_desc light = random_light();
+		struct object *object = &scene->objects[1];
+		struct light_frame frame;
+		float angle = between(0, 7), from_middle = between(0, 1);
+		const float at[2] = {from_middle * cosf(angle), from_middle * sinf(angle)};
+		light_frame_init(&frame, &light, scene);
+		struct disc_box box = mesh_disc_box(&scene->meshes[0], object->transform, &frame);
+		for (int i = 0; i < POINTS; i++) {
+			vec3 point;
+			point_of(object, point);
+			vec4 p = {point[0], point[1], point[2], 1};
+			glm_mat4_mulv(frame.world_to_clip, p, p);
+			if (p[3] > 0 && fabsf(p[2]) <= p[3])
+				assert_true(is_in_disc_box(&box, &frame, at, point));
+		}
+		whole += screen_box_is_all(&box.box);
+		narrow += box.shear[1] - box.shear[0] < disc_scale(&frame);
+		sm_scene_destroy(scene);
+	}
+	print_message("%d of %d are all of the screen, %d narrow\n", whole, ROUNDS, narrow);
+	assert_true(whole > 0 && whole < ROUNDS / 2 && narrow > ROUNDS / 10);
+}
+
 /* Whether a light looks a point up in cells of its screen, and there are none there. */
 static bool is_missed(
 	const struct screen_grid *cells, const struct light_frame *frame, const vec3 point)
@@ -382,6 +428,7 @@ int main(void)
 		cmocka_unit_test(test_no_point_is_brighter_than_the_bound),
 		cmocka_unit_test(test_nothing_that_misses_a_screen_is_on_it),
 		cmocka_unit_test(test_what_a_screen_shows_is_in_its_box),
+		cmocka_unit_test(test_what_a_point_of_a_disc_sees_is_in_its_box),
 		cmocka_unit_test(test_what_is_seen_is_in_marked_cells),
 		cmocka_unit_test(test_cells_are_marked_no_farther_than_asked),
 		cmocka_unit_test(test_fins_on_the_screen_are_all_there),
