@@ -198,7 +198,9 @@ bool edge_keep_look(struct edge_keep *keep, const struct sm_scene *scene,
 		edge_keep_forget(keep);
 	keep->raster = *raster;
 	keep->known = keep->watch.count;
-	keep->looked = object_watch_look(&keep->watch, scene, frame, is_caster, &keep->changed);
+	struct disc_box changed;
+	keep->looked = object_watch_look(&keep->watch, scene, frame, is_caster, &changed);
+	keep->changed = changed.box;
 	if (keep->looked && screen_box_is_all(&keep->changed))
 		keep->known = 0;
 	return keep->looked;

@@ -49,7 +49,7 @@ static struct watched_object look_at(const struct object_watch *watch,
 	const struct light_frame *frame, const struct object *object, bool shown)
 {
 	struct watched_object now = {
-		.version = object->version, .box = screen_box_none(), .shown = shown};
+		.version = object->version, .box = disc_box_none(), .shown = shown};
 	bool same = before != NULL && is_as_before(before, object);
 	if (same)
 		now = *before;
@@ -58,25 +58,24 @@ static struct watched_object look_at(const struct object_watch *watch,
 		return now;
 	glm_mat4_copy((vec4 *)object->transform, now.transform);
 	if (shown && !same)
-		mesh_screen_box(&scene->meshes[object->mesh], now.transform,
-			(vec4 *)frame->world_to_clip, &now.box);
-	now.left_out = shown && watch->seen != NULL && !is_seen(watch->seen, &now.box);
+		now.box = mesh_disc_box(&scene->meshes[object->mesh], now.transform, frame);
+	now.left_out = shown && watch->seen != NULL && !is_seen(watch->seen, &now.box.box);
 	now.changed = !same || !now.left_out;
 	return now;
 }
 
 static void look_again(struct object_watch *watch, size_t index, bool known,
 	const struct sm_scene *scene, const struct light_frame *frame, bool shown,
-	struct screen_box *changed)
+	struct disc_box *changed)
 {
 	struct watched_object *object = &watch->objects[index];
 	struct watched_object now =
 		look_at(watch, known ? object : NULL, scene, frame, &scene->objects[index], shown);
 	bool tested = shown && watch->seen != NULL && (now.changed || now.left_out);
 	if (known && now.changed && !object->left_out)
-		screen_box_add(changed, &object->box);
+		disc_box_add(changed, &object->box);
 	if (now.changed && !now.left_out)
-		screen_box_add(changed, &now.box);
+		disc_box_add(changed, &now.box);
 	watch->left_out_count += now.left_out;
 	watch->seen_tested += tested;
 	watch->seen_left_out += tested && now.left_out;
@@ -85,13 +84,13 @@ static void look_again(struct object_watch *watch, size_t index, bool known,
 
 bool object_watch_look(struct object_watch *watch, const struct sm_scene *scene,
 	const struct light_frame *frame, bool (*shows)(const struct object *),
-	struct screen_box *changed)
+	struct disc_box *changed)
 {
 	bool known = watch->scene == scene->id && watch->count <= scene->object_count &&
 		     light_frame_is_same(&watch->frame, frame);
 	size_t count = known ? watch->count : 0;
 	watch->scene = 0;
-	*changed = known ? screen_box_none() : screen_box_all();
+	*changed = known ? disc_box_none() : disc_box_all();
 	if (!array_reserve((void **)&watch->objects, &watch->capacity, scene->object_count,
 		    sizeof(*watch->objects)))
 		return false;
@@ -108,7 +107,7 @@ bool object_watch_lacks(const struct object_watch *watch, const struct screen_gr
 {
 	for (size_t i = 0; i < watch->count && watch->left_out_count > 0; i++) {
 		const struct watched_object *object = &watch->objects[i];
-		if (object->left_out && is_seen(seen, &object->box))
+		if (object->left_out && is_seen(seen, &object->box.box))
 			return true;
 	}
 	return false;

@@ -3,7 +3,7 @@
 #define SCENE_OBJECT_WATCH_H
 
 #include "base/memory_list.h"
-#include "geom/screen_box.h"
+#include "geom/disc_box.h"
 #include "geom/screen_grid.h"
 #include "scene/light.h"
 
@@ -11,10 +11,10 @@
 struct watched_object {
 	uint64_t version;
 	mat4 transform; /* the same version has another where the scene is counted from elsewhere */
-	struct screen_box box; /* on the light's screen */
-	bool shown;            /* is one of those that are watched */
-	bool left_out;         /* though it is: nothing looks up where it is on the screen */
-	bool changed;          /* since it was looked at before */
+	struct disc_box box; /* on the light's screen */
+	bool shown;          /* is one of those that are watched */
+	bool left_out;       /* though it is: nothing looks up where it is on the screen */
+	bool changed;        /* since it was looked at before */
 };
 
 /** What a light's textures show, so that they are drawn anew only where that has changed: which
@@ -45,7 +45,7 @@ void object_watch_list_memory(const struct object_watch *watch, const struct mem
  * out of memory, and nothing is known. */
 bool object_watch_look(struct object_watch *watch, const struct sm_scene *scene,
 	const struct light_frame *frame, bool (*shows)(const struct object *),
-	struct screen_box *changed);
+	struct disc_box *changed);
 
 /** Whether an object that is left out touches one of these cells of the screen. */
 bool object_watch_lacks(const struct object_watch *watch, const struct screen_grid *seen);

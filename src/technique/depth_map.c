@@ -15,11 +15,6 @@ static const struct {
 	[DEPTH_MAP_LINEAR] = {GL_LINEAR, LOOKUP_REACH_LINEAR},
 };
 
-GLuint depth_map_create_sampler(struct gpu *gpu, enum depth_map_filter filter)
-{
-	return gpu_create_compare_sampler(gpu, filters[filter].filter);
-}
-
 bool depth_ways_choose(struct depth_ways *ways, struct gpu *gpu, struct sm_error *error)
 {
 	static const uint64_t write[] = {
@@ -51,9 +46,13 @@ static bool init_target(struct target *target, const struct depth_map *map, stru
 	enum storage_owner owner, GLsizei size, GLenum format, GLenum attachment,
 	struct sm_error *error)
 {
-	return map->shared ? target_init_shared(target, &gpu->gl, STORAGE_RECEIVER_MAPS, size,
-				     format, attachment, error)
-			   : target_init(target, &gpu->gl, owner, size, format, attachment, error);
+	struct gl *gl = &gpu->gl;
+	if (map->disc != NULL)
+		return target_init_layers(
+			target, gl, owner, size, map->disc->count, format, attachment, error);
+	return map->shared ? target_init_shared(target, gl, STORAGE_RECEIVER_MAPS, size, format,
+				     attachment, error)
+			   : target_init(target, gl, owner, size, format, attachment, error);
 }
 
 /* A colour for each depth, unless the depth texture will do. */
@@ -69,8 +68,10 @@ static bool init_plain(struct depth_map *map, struct gpu *gpu, struct sm_error *
 	if (!init_target(&map->plain, map, gpu, STORAGE_PLAIN_DEPTHS, map->target.size, ways.format,
 		    GL_COLOR_ATTACHMENT0, error))
 		return false;
-	gl->FramebufferTexture2D(
-		GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map->target.texture, 0);
+	/* Those of a layer come and go with it. */
+	if (map->disc == NULL)
+		gl->FramebufferTexture2D(
+			GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map->target.texture, 0);
 	return true;
 }
 
@@ -81,8 +82,15 @@ bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
 	if (!init_target(&map->target, map, gpu, STORAGE_SHADOW_MAPS, (GLsizei)size,
 		    GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, error))
 		return false;
-	map->compare = depth_map_create_sampler(gpu, filter);
+	map->compare = gpu_create_compare_sampler(gpu, filters[filter].filter);
 	return !plain || init_plain(map, gpu, error);
+}
+
+bool depth_map_init_layers(struct depth_map *map, struct gpu *gpu, uint32_t size,
+	const struct disc *disc, enum depth_map_filter filter, bool plain, struct sm_error *error)
+{
+	map->disc = disc;
+	return depth_map_init(map, gpu, size, filter, plain, error);
 }
 
 GLuint depth_map_plain_texture(const struct depth_map *map)
@@ -90,9 +98,18 @@ GLuint depth_map_plain_texture(const struct depth_map *map)
 	return map->plain.texture != 0 ? map->plain.texture : map->target.texture;
 }
 
-static void bind_target(const struct depth_map *map, struct gl *gl)
+static void bind_target(const struct depth_map *map, struct gl *gl, GLint layer)
 {
-	target_bind(map->plain.texture != 0 ? &map->plain : &map->target, gl);
+	bool plain = map->plain.texture != 0;
+	const struct target *target = plain ? &map->plain : &map->target;
+	if (map->disc == NULL) {
+		target_bind(target, gl);
+		return;
+	}
+	target_bind_layer(target, gl, layer);
+	if (plain)
+		gl->FramebufferTextureLayer(
+			GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, map->target.texture, 0, layer);
 }
 
 bool depth_map_init_once(
@@ -143,15 +160,20 @@ bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content 
 	return false;
 }
 
+static bool touches(const struct depth_map_redraw *redraw, const struct watched_object *object)
+{
+	struct screen_box box = disc_box_from(&object->box, redraw->point);
+	return screen_box_touches(&box, &redraw->reach);
+}
+
 bool depth_map_is_drawn(struct gpu *gpu, const struct sm_scene *scene, size_t index,
 	const struct light_frame *frame, const struct depth_map_redraw *redraw)
 {
 	const struct object *object = &scene->objects[index];
 	if (redraw != NULL && redraw->watch->objects[index].left_out)
 		return false;
-	if (redraw != NULL &&
-		skip_take(&gpu->skips, SKIP_STATIC,
-			!screen_box_touches(&redraw->watch->objects[index].box, &redraw->reach)))
+	if (redraw != NULL && skip_take(&gpu->skips, SKIP_STATIC,
+				      !touches(redraw, &redraw->watch->objects[index])))
 		return false;
 	return !skip_take(&gpu->skips, SKIP_CASTER,
 		mesh_misses_screen(&scene->meshes[object->mesh], (vec4 *)object->transform,
@@ -217,45 +239,32 @@ static bool fill(struct gpu *gpu, const struct sm_scene *scene, const struct lig
 	return true;
 }
 
-bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
-	const struct object_watch *watch, uint64_t write, struct target_area area,
-	struct sm_error *error)
-{
-	const struct depth_map_redraw all = {watch, screen_box_all()};
-	return fill(gpu, scene, frame, DEPTH_OF_CASTERS, write, area, &all, error);
-}
-
-bool depth_map_look_at_casters(struct object_watch *watch, const struct sm_scene *scene,
-	const struct light_frame *frame, struct screen_box *changed, struct sm_error *error)
-{
-	return object_watch_look(watch, scene, frame, is_caster, changed) || error_no_memory(error);
-}
-
 void depth_map_forget(struct depth_map *map)
 {
 	map->cleared = false;
 	object_watch_forget(&map->watch);
 }
 
+/* redraw: NULL: all that may be there. */
 static bool draw_part(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content,
 	const struct screen_box *part, const struct depth_map_redraw *redraw,
 	struct sm_error *error)
 {
-	gl_push_group(&gpu->gl, content == DEPTH_OF_CASTERS ? "shadow map" : "receiver map");
-	bind_target(map, &gpu->gl);
 	target_restrict_clear(&map->target, part, &gpu->gl);
-	bool drawn = fill(gpu, scene, frame, content, map->write, target_part(&map->target, part),
-		redraw, error);
-	gl_pop_group(&gpu->gl);
-	return drawn;
+	return fill(gpu, scene, frame, content, map->write, target_part(&map->target, part), redraw,
+		error);
 }
 
 bool depth_map_draw_part(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, enum depth_map_content content,
 	const struct screen_box *part, struct sm_error *error)
 {
-	return draw_part(map, gpu, scene, frame, content, part, NULL, error);
+	gl_push_group(&gpu->gl, "receiver map");
+	bind_target(map, &gpu->gl, 0);
+	bool drawn = draw_part(map, gpu, scene, frame, content, part, NULL, error);
+	gl_pop_group(&gpu->gl);
+	return drawn;
 }
 
 /* The largest part of a target that is cleared alone where all may be: a driver may draw it, which
@@ -277,46 +286,81 @@ void depth_map_narrow(struct screen_box *part, const struct screen_box *held)
 }
 
 /* Where its casters are. */
-static struct screen_box find_held(const struct depth_map *map)
+static struct disc_box find_held(const struct depth_map *map)
 {
-	struct screen_box held = screen_box_none();
+	struct disc_box held = disc_box_none();
 	for (size_t i = 0; i < map->watch.count; i++) {
 		const struct watched_object *object = &map->watch.objects[i];
 		if (object->shown && !object->left_out)
-			screen_box_add(&held, &object->box);
+			disc_box_add(&held, &object->box);
 	}
 	return held;
+}
+
+/* A map alone is of that. */
+static const struct disc middle = {.count = 1};
+
+/* Where a layer has changed, which is what a point of the light's disc sees. */
+static struct screen_box find_changed(const struct depth_map *map, const float point[2])
+{
+	struct screen_box changed = disc_box_from(&map->moved, point);
+	struct screen_box held = disc_box_from(&map->held, point);
+	struct screen_box before = disc_box_from(&map->before, point);
+	screen_box_add(&held, &before);
+	depth_map_narrow(&changed, &held);
+	return changed;
 }
 
 /* Finds what has changed of the map. */
 static bool look(struct depth_map *map, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
-	if (!depth_map_look_at_casters(&map->watch, scene, frame, &map->changed, error))
-		return false;
-	struct screen_box held = find_held(map), either = held;
-	screen_box_add(&either, &map->held);
-	if (map->cleared)
-		depth_map_narrow(&map->changed, &either);
-	map->held = held;
+	if (!object_watch_look(&map->watch, scene, frame, is_caster, &map->moved))
+		return error_no_memory(error);
+	map->before = map->cleared ? map->held : disc_box_all();
+	map->held = find_held(map);
 	map->cleared = true;
+	map->changed = find_changed(map, middle.points[0]);
 	return true;
+}
+
+/* frame: of the point. */
+static bool draw_layer(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, const float point[2], GLint layer, struct sm_error *error)
+{
+	const struct screen_box changed = find_changed(map, point);
+	const struct depth_map_redraw redraw = {
+		&map->watch, target_part_reach(&map->target, &changed), {point[0], point[1]}};
+	bind_target(map, &gpu->gl, layer);
+	return draw_part(map, gpu, scene, frame, DEPTH_OF_CASTERS, &changed, &redraw, error);
+}
+
+static bool draw_layers(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
+	const struct light_frame *frame, struct sm_error *error)
+{
+	const struct disc *disc = map->disc != NULL ? map->disc : &middle;
+	bool drawn = true;
+	gl_push_group(&gpu->gl, map->disc != NULL ? "shadow maps" : "shadow map");
+	for (GLint i = 0; i < disc->count && drawn; i++) {
+		struct light_frame sheared = disc_frame(frame, disc->points[i]);
+		drawn = draw_layer(map, gpu, scene, &sheared, disc->points[i], i, error);
+	}
+	gl_pop_group(&gpu->gl);
+	return drawn;
 }
 
 bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
-	struct screen_box *changed = &map->changed;
 	if (gpu->skips.off[SKIP_STATIC] || map->failures != gpu->failures)
 		depth_map_forget(map);
 	map->failures = gpu->failures;
 	if (!look(map, scene, frame, error))
 		return false;
-	if (screen_box_is_none(changed))
+	/* Then nothing has on any layer. */
+	if (screen_box_is_none(&map->changed))
 		return true;
-	const struct depth_map_redraw redraw = {
-		&map->watch, target_part_reach(&map->target, changed)};
-	bool drawn = draw_part(map, gpu, scene, frame, DEPTH_OF_CASTERS, changed, &redraw, error);
+	bool drawn = draw_layers(map, gpu, scene, frame, error);
 	if (!drawn)
 		depth_map_forget(map);
 	return drawn;
@@ -325,10 +369,10 @@ bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scen
 bool depth_map_look_at_receivers(struct object_watch *watch, const struct sm_scene *scene,
 	const struct light_frame *frame, struct screen_box *changed, struct sm_error *error)
 {
-	struct screen_box part;
+	struct disc_box part;
 	if (!object_watch_look(watch, scene, frame, is_receiver_only, &part))
 		return error_no_memory(error);
-	screen_box_add(changed, &part);
+	screen_box_add(changed, &part.box);
 	return true;
 }
 
@@ -363,11 +407,25 @@ void depth_map_set_receiver(struct gpu *gpu, GLsizei texels, enum depth_map_filt
 	gpu->gl.Uniform2f(program->uniform.bias_limit, limit[0], limit[1]);
 }
 
+static void bind_textures(const struct depth_map *map, struct gpu *gpu)
+{
+	GLuint compared = map->target.texture, plain = depth_map_plain_texture(map);
+	if (map->disc == NULL) {
+		gpu_bind_texture(gpu, UNIT_DEPTH_COMPARE, compared);
+		gpu_bind_texture(gpu, UNIT_DEPTH, plain);
+		gpu->gl.BindSampler(UNIT_DEPTH_COMPARE, map->compare);
+	} else {
+		gpu_bind_layers(gpu, UNIT_DEPTH_LAYERS, compared);
+		gpu_bind_layers(gpu, UNIT_PLAIN_LAYERS, plain);
+		gpu->gl.BindSampler(UNIT_DEPTH_LAYERS, map->compare);
+	}
+}
+
 void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program)
 {
-	gpu_bind_texture(gpu, UNIT_DEPTH_COMPARE, map->target.texture);
-	gpu_bind_texture(gpu, UNIT_DEPTH, depth_map_plain_texture(map));
-	gpu->gl.BindSampler(UNIT_DEPTH_COMPARE, map->compare);
+	bind_textures(map, gpu);
 	depth_map_set_receiver(gpu, map->target.size, map->filter, frame, program);
+	if (map->disc != NULL)
+		disc_bind(map->disc, gpu, frame, program);
 }

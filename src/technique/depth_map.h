@@ -4,6 +4,7 @@
 
 #include "gles/target.h"
 #include "scene/object_watch.h"
+#include "technique/disc.h"
 #include "technique/technique.h"
 
 /** At which texels the sampler compares. */
@@ -22,9 +23,11 @@ struct depth_ways {
 /** Fails as way_choose(). */
 bool depth_ways_choose(struct depth_ways *ways, struct gpu *gpu, struct sm_error *error);
 
-/** A light's shadow map: a depth texture that is compared, and what is read plainly. It is kept
- * from frame to frame, and drawn anew where objects that it holds have changed. */
+/** A light's shadow map, or a layer for each of many points of it: a depth texture that is
+ * compared, and what is read plainly. It is kept from frame to frame, and drawn anew where objects
+ * that it holds have changed. */
 struct depth_map {
+	const struct disc *disc; /* of the layers' points; not owned. NULL: there is one map */
 	struct target target;
 	struct target
 		plain;  /* depths as colours, with the depth texture; zero: they are read there */
@@ -32,9 +35,11 @@ struct depth_map {
 	enum depth_map_filter filter;
 	uint64_t write;            /* flags of PROGRAM_DEPTH_MAP */
 	struct object_watch watch; /* on what it holds */
+	struct disc_box moved;     /* of that, what had changed at the last look */
 	struct screen_box changed; /* of the light's screen, when it was last asked for */
 	bool cleared;              /* all beside what is held */
-	struct screen_box held;    /* where it holds something, if so */
+	struct disc_box held;      /* where it holds something, if so */
+	struct disc_box before;    /* where it did before that look */
 	uint64_t failures;         /* of the GPU so far, when it was drawn */
 	bool shared;               /* with the other lights: of receivers */
 };
@@ -42,6 +47,9 @@ struct depth_map {
 /** plain: whether it is read without comparing as well. */
 bool depth_map_init(struct depth_map *map, struct gpu *gpu, uint32_t size,
 	enum depth_map_filter filter, bool plain, struct sm_error *error);
+/** The same with a layer for each point of a disc. */
+bool depth_map_init_layers(struct depth_map *map, struct gpu *gpu, uint32_t size,
+	const struct disc *disc, enum depth_map_filter filter, bool plain, struct sm_error *error);
 void depth_map_finish(struct depth_map *map, struct gpu *gpu);
 
 void depth_map_list_memory(const struct depth_map *map, const struct memory_list *list);
@@ -60,6 +68,7 @@ bool depth_map_has_content(const struct sm_scene *scene, enum depth_map_content 
 struct depth_map_redraw {
 	const struct object_watch *watch; /* has been looked at */
 	struct screen_box reach;
+	float point[2]; /* of the light's disc, that the screen is seen from */
 };
 
 /** Whether an object is drawn: some of it may be on the light's screen and, unless redraw is
@@ -96,25 +105,10 @@ bool depth_map_draw_part(struct depth_map *map, struct gpu *gpu, const struct sm
 bool depth_map_look_at_receivers(struct object_watch *watch, const struct sm_scene *scene,
 	const struct light_frame *frame, struct screen_box *changed, struct sm_error *error);
 
-/** Binds the map for a surface program, and sets the uniforms of shadow_receiver.glsl. */
+/** Binds the map, or its layers, for a surface program, and sets the uniforms of
+ *  shadow_receiver.glsl. */
 void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program);
-
-/* The parts of the above, for maps of another make. */
-
-/** A sampler that compares, for the caller to delete. */
-GLuint depth_map_create_sampler(struct gpu *gpu, enum depth_map_filter filter);
-
-/** Has the watch, on casters, say which of them are left out, and where others have changed. */
-bool depth_map_look_at_casters(struct object_watch *watch, const struct sm_scene *scene,
-	const struct light_frame *frame, struct screen_box *changed, struct sm_error *error);
-
-/** Clears the framebuffer that is bound, where nothing restricts that, and draws the casters into
- *  an area of it, restricted no more after that. watch: has been looked at. write: flags of
- *  PROGRAM_DEPTH_MAP. */
-bool depth_map_fill(struct gpu *gpu, const struct sm_scene *scene, const struct light_frame *frame,
-	const struct object_watch *watch, uint64_t write, struct target_area area,
-	struct sm_error *error);
 
 /** Sets the uniforms of shadow_receiver.glsl for maps of `texels` a side. */
 void depth_map_set_receiver(struct gpu *gpu, GLsizei texels, enum depth_map_filter filter,

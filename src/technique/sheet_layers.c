@@ -92,7 +92,8 @@ static bool draw_layer(struct sheet_layers *layers, struct gpu *gpu, const struc
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	target_restrict(target_part(target, part->box), gl);
-	const struct depth_map_redraw redraw = {part->watch, target_part_reach(target, part->box)};
+	const struct depth_map_redraw redraw = {
+		.watch = part->watch, .reach = target_part_reach(target, part->box)};
 	draw_sheets(gpu, scene, frame, &redraw, program);
 	gl->Disable(GL_SCISSOR_TEST);
 	return true;

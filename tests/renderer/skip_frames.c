@@ -43,6 +43,7 @@ static const struct sm_shadow_options choices[] = {
 	{.technique = "gather", .map_size = 128, .sampling = SM_SAMPLING_DEFERRED_SPARSE},
 	{.technique = "auto", .map_size = 128, .sampling = SM_SAMPLING_SPARSE},
 	{.precision = SM_PRECISION_HALF, .map_size = 64},
+	{.technique = "maps", .map_size = 64, .samples = 16},
 };
 
 /* What a sequence of frames is drawn with. */
@@ -533,14 +534,21 @@ static void check_counts(const struct run *run)
 	}
 }
 
+/* The rig keeps the thorough one. */
+static void make_renderers(struct run *run, struct rig *rig, const struct sm_driver_options *driver)
+{
+	rig_use_driver(rig, driver);
+	run->skipping = rig->renderer;
+	rig->renderer = NULL;
+	rig_use_driver(rig, driver);
+	run->thorough = rig->renderer;
+	assert_true(sm_renderer_set_skips(run->thorough, "-all", NULL));
+}
+
 static void skips_do_not_show(void **state)
 {
-	struct rig *rig = *state;
-	struct run run = {.skipping = rig->renderer, .state = 0x2545f491};
-	rig->renderer = NULL;
-	rig_use_driver(rig, &(struct sm_driver_options){0});
-	run.thorough = rig->renderer;
-	assert_true(sm_renderer_set_skips(run.thorough, "-all", NULL));
+	struct run run = {.state = 0x2545f491};
+	make_renderers(&run, *state, &(struct sm_driver_options){0});
 	for (uint32_t scene = 0; scene < SCENES; scene++)
 		play(&run, scene);
 	for (size_t i = 0; i < COUNT(choices); i++)
@@ -555,10 +563,28 @@ static void skips_do_not_show(void **state)
 	sm_renderer_destroy(run.skipping);
 }
 
+/* Each layer of "maps" is two textures then. */
+static void they_do_not_where_depths_are_colours(void **state)
+{
+	static const char *const paths[] = {"depth=rgba8", "comparison=fetch"};
+	struct run run = {.state = 0x2545f491};
+	make_renderers(&run, *state,
+		&(struct sm_driver_options){.paths = paths, .path_count = COUNT(paths)});
+	for (size_t i = 0; i < COUNT(choices); i++) {
+		if (choices[i].technique == NULL || strcmp(choices[i].technique, "maps") != 0)
+			continue;
+		play_moves(&run, &choices[i]);
+		play_glances(&run, &choices[i]);
+		play_brinks(&run, &choices[i]);
+	}
+	sm_renderer_destroy(run.skipping);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(skips_do_not_show),
+		rig_test(they_do_not_where_depths_are_colours),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

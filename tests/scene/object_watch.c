@@ -73,14 +73,14 @@ static bool casts(const struct object *object)
 static struct screen_box look(
 	struct object_watch *watch, const struct sm_scene *scene, const struct light_frame *frame)
 {
-	struct screen_box changed;
+	struct disc_box changed;
 	assert_true(object_watch_look(watch, scene, frame, casts, &changed));
-	return changed;
+	return changed.box;
 }
 
 static struct screen_box box_of(const struct object_watch *watch, size_t index)
 {
-	return watch->objects[index].box;
+	return watch->objects[index].box.box;
 }
 
 static void test_what_changes_is_told(void **unused)
@@ -96,7 +96,7 @@ static void test_what_changes_is_told(void **unused)
 
 	move_cube(scene, 1, 1.5f);
 	changed = look(&watch, scene, &frame);
-	screen_box_add(&before, &watch.objects[1].box);
+	screen_box_add(&before, &watch.objects[1].box.box);
 	assert_memory_equal(&changed, &before, sizeof(changed));
 	for (size_t i = 0; i < COUNT; i++)
 		assert_true(watch.objects[i].changed == (i == 1));
@@ -107,7 +107,7 @@ static void test_what_changes_is_told(void **unused)
 
 	add_cube(scene, 0.5f, true);
 	changed = look(&watch, scene, &frame);
-	assert_memory_equal(&changed, &watch.objects[COUNT].box, sizeof(changed));
+	assert_memory_equal(&changed, &watch.objects[COUNT].box.box, sizeof(changed));
 
 	changed = look(&watch, scene, &other);
 	assert_true(screen_box_is_all(&changed));
@@ -176,7 +176,7 @@ static void test_what_is_not_seen_is_left_out_until_it_is(void **unused)
 	for (size_t i = 0; i < COUNT - 1; i++) {
 		struct screen_box box = changed;
 		assert_true(watch.objects[i].changed == (i != 3));
-		screen_box_add(&box, &watch.objects[i].box);
+		screen_box_add(&box, &watch.objects[i].box.box);
 		assert_true(i == 3 || memcmp(&box, &changed, sizeof(box)) == 0);
 	}
 	watch.seen = &halves[0];
@@ -203,8 +203,8 @@ static void test_what_is_beside_the_screen_counts_at_its_rim(void **unused)
 				seen.rows[row] = right ? (uint64_t)1 << (SCREEN_GRID_SIZE - 1) : 1;
 			object_watch_forget(&watch);
 			look(&watch, scene, &frame);
-			bool is_right = watch.objects[0].box.min[0] > 1;
-			assert_true(is_right || watch.objects[0].box.max[0] < -1);
+			bool is_right = watch.objects[0].box.box.min[0] > 1;
+			assert_true(is_right || watch.objects[0].box.box.max[0] < -1);
 			assert_true(watch.objects[0].left_out == (is_right != (right == 1)));
 		}
 	object_watch_finish(&watch);
