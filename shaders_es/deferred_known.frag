@@ -1,7 +1,6 @@
 // The visibility of pixels that is known without looking at edges. Leaves the others to
 // deferred_find.frag. See src/deferred_pass.h.
 uniform usampler2D edge_tiles; // struct edge_tile of scene/edge_grid.h
-uniform float tile_count;      // a side
 
 layout(location = 0) out uint found; // steps of 1/65535
 

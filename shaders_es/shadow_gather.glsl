@@ -7,24 +7,6 @@ uniform usampler2D edge_map;   // struct edge_texel of scene/edge_texel.h, as ma
 uniform usampler2D front_layer; // see gather_layer.frag
 uniform usampler2D second_layer;
 uniform usampler2D third_layer;
-uniform int layer_count; // what more there would be is empty
-uniform float tile_count;  // a side
-uniform float disc_scale;  // radius of the disc, window x or y, over the depth before the receiver
-uniform float pole;        // K, see scene/light.h
-uniform float depth_noise; // of vertices far from their origin, whose floats are coarse
-#ifdef HOLLOWS
-uniform int hollow_base;   // texel of the edge map from which on triangles over hollows are
-#endif
-uniform float snap;        // by how much points of edges and sheets are moved, window x or y
-#ifdef COARSE
-uniform float raster_snap; // and by the raster grid, which the outlines of sheets follow
-#endif
-#ifdef RECEIVERS
-bool casts = false; // set for each pixel
-#else
-uniform bool casts;        // the receiver, as well
-#endif
-uniform float disc_facing; // what window x or y are of the tangent to the light's axis; or 0
 
 const int LAYERS_MOST = 3;
 #ifdef TWO_LAYERS
@@ -78,19 +60,21 @@ bool narrow_penumbra = false;
 struct receiver {
 	vec3 s;
 	vec2 slope;  // of its own plane
+	bool casts_too;
 	float noise; // of depths on that plane
 	vec2 e, tilt;
 	float k, shrink; // shrink: determinant of E
 	float spacing;   // to the next pixel
 };
 
-receiver receiver_of(vec3 s, vec2 slope, float spacing)
+receiver receiver_of(vec3 s, vec2 slope, bool casts_too, float spacing)
 {
 	vec2 e = (s.xy - 0.5) * disc_facing;
 	float square = 1.0 + dot(e, e), root = sqrt(square);
 	float noise = max(DEPTH_STEP, depth_noise) + snap * (abs(slope.x) + abs(slope.y));
 	vec2 tilt = e * (disc_facing * (pole - s.z) / square);
-	return receiver(s, slope, noise, e, tilt, 1.0 / (square + root), 1.0 / root, spacing);
+	return receiver(s, slope, casts_too, noise, e, tilt, 1.0 / (square + root), 1.0 / root,
+		spacing);
 }
 
 vec2 faced(receiver r, vec2 v)
@@ -215,7 +199,7 @@ origin origin_among(receiver r, origin middle, int tries)
 		for (int j = 0; j < LAYERS; j++) {
 			leads[j] = lead_of(sheets.of[j], r, off);
 			float found = strangeness(leads[j], r);
-			bool nearer = casts && j < layer_count && found < strange;
+			bool nearer = r.casts_too && j < layer_count && found < strange;
 			own_layer = nearer && found <= limit ? j : own_layer;
 			strange = nearer ? found : strange;
 		}
@@ -237,11 +221,11 @@ origin origin_among(receiver r, origin middle, int tries)
 			// Where all layers are before the receiver more sheets may be: of what does
 			// not cast it is taken that it lies behind all that are in line, and what
 			// does is dark where layers are drawn no further.
-			bool hidden = casts && blocking == LAYERS_MOST;
-			bool full = !casts && blocking == layer_count;
+			bool hidden = r.casts_too && blocking == LAYERS_MOST;
+			bool full = !r.casts_too && blocking == layer_count;
 			from.at = full ? middle.at : off + r.s.xy;
 			from.winding = full ? middle.winding : hidden ? HIDDEN : blocking;
-			from.seen = full || hidden || !casts ? from.winding : before;
+			from.seen = full || hidden || !r.casts_too ? from.winding : before;
 			// Before all edges: none is looked at.
 			from.depth = full ? middle.depth : hidden ? -1.0 : r.s.z - r.noise;
 			from.own_depth = full ? 0.0 : 2.0 * r.noise;
@@ -264,7 +248,7 @@ origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
 	return from; // as all that is drawn so
 #endif
 	bool among = light_arrives && r.s.z <= uintBitsToFloat(tile.w);
-	return origin_among(r, from, !among ? 0 : casts ? 4 : 1);
+	return origin_among(r, from, !among ? 0 : r.casts_too ? 4 : 1);
 }
 
 // What is summed over the edges of a tile.
@@ -670,7 +654,7 @@ float gathered_visibility(vec3 p)
 {
 	vec3 s = on_screen(p);
 	float spacing = max(length(dFdx(s.xy)), length(dFdy(s.xy)));
-	return gathered_visibility(receiver_of(s, receiver_slope(s), spacing));
+	return gathered_visibility(receiver_of(s, receiver_slope(s), casts, spacing));
 }
 
 #ifndef CELLS

@@ -1,11 +1,6 @@
 // Where a receiver lies on the light's screen, and how its own plane slopes there.
 uniform sampler2DShadow depth_compare;
-uniform vec2 map_size;      // texels, and the size of one
 uniform float lookup_reach; // how far from a surface its texels' centres lie, window x or y
-uniform vec2 bias_limit;    // at window depth d: x + y d
-uniform vec3 screen_w;      // w of light space: x z + y, at least z
-uniform float screen_scale; // window x, y = scale x, y / w + 1/2
-uniform vec3 screen_depth;  // window depth = x + y / w + z z
 
 // Whether it makes a difference how much of the light is seen: a technique need not find it else.
 bool light_arrives = true;

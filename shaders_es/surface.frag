@@ -23,7 +23,6 @@ layout(location = 0) out uvec2 point; // see sparse_cells.frag
 // sheets have theirs in the layers; in its lowest bits, whether the receiver casts as well, and whether
 // it faces away from the light.
 layout(location = 0) out uvec4 receiver;
-uniform bool casts;
 #else
 layout(location = 0) out vec4 color;
 #endif

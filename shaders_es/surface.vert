@@ -43,4 +43,7 @@ void main()
 #ifdef COARSE
 	clip_place = gl_Position.xyw;
 #endif
+#ifdef HANDS_ON
+	hand_on();
+#endif
 }

@@ -74,6 +74,9 @@ static const struct {
 #define TAP_FLAGS (FLAG_SMOOTHIE | FLAG_TWO_SIDED | FLAG_BICUBIC)
 #define COMPARE_FLAGS (FLAG_HARD | FLAG_PCSS | FLAG_MAPS)
 
+/* Surfaces that have what is the same everywhere from their vertices. */
+#define FLAT_FLAGS (FLAG_EDGES | FLAG_RECEIVERS)
+
 /* In which form plain depths are read. */
 #define PLAIN_FLAGS (FLAG_DEPTH_HALF | FLAG_DEPTH_PACKED)
 
@@ -93,7 +96,7 @@ static const struct {
 	const char *name;
 	uint64_t flags;      /* that mean something */
 	const char *defines; /* in all variants; may be NULL */
-	struct part parts[2][27];
+	struct part parts[2][29];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -173,7 +176,11 @@ static const struct {
 				 FLAG_HOLLOWS | FLAG_SAMPLES,
 			.parts =
 				{
-					{{"surface.vert"}},
+					{
+						{"shadow_screen.glsl", FLAT_FLAGS},
+						{"gather_flat_out.glsl", FLAT_FLAGS},
+						{"surface.vert"},
+					},
 					{
 						{"common_srgb.glsl", FLAG_ENCODE_SRGB},
 						{"common_light_depth.glsl",
@@ -182,6 +189,8 @@ static const struct {
 							TAP_FLAGS | COMPARE_FLAGS},
 						{"common_depth_step.glsl",
 							SHADOW_FLAGS | FLAG_RECEIVERS},
+						{"shadow_screen.glsl", SHADOW_FLAGS, FLAT_FLAGS},
+						{"gather_flat_in.glsl", FLAT_FLAGS},
 						{"shadow_receiver.glsl",
 							SHADOW_FLAGS | FLAG_RECEIVERS},
 						{"shadow_taps.glsl", TAP_FLAGS | COMPARE_FLAGS},
@@ -219,9 +228,11 @@ static const struct {
 			.flags = FLAG_CELLS,
 			.parts =
 				{
-					{{"copy.vert"}},
+					{{"shadow_screen.glsl"}, {"gather_flat_out.glsl"},
+						{"copy.vert"}},
 					{{"sparse_cell.glsl", FLAG_CELLS},
 						{"sparse_between.glsl", FLAG_CELLS},
+						{"gather_flat_in.glsl"},
 						{"deferred_receivers.glsl"},
 						{"deferred_known.frag"}},
 				},
@@ -233,10 +244,12 @@ static const struct {
 				 FLAG_TWO_LAYERS | FLAG_HOLLOWS,
 			.parts =
 				{
-					{{"copy.vert"}},
-					{{"common_depth_step.glsl"}, {"shadow_receiver.glsl"},
-						{"gather_sheet.glsl"}, {"gather_disc.glsl"},
-						{"shadow_gather.glsl"}, {"deferred_receivers.glsl"},
+					{{"shadow_screen.glsl"}, {"gather_flat_out.glsl"},
+						{"copy.vert"}},
+					{{"common_depth_step.glsl"}, {"gather_flat_in.glsl"},
+						{"shadow_receiver.glsl"}, {"gather_sheet.glsl"},
+						{"gather_disc.glsl"}, {"shadow_gather.glsl"},
+						{"deferred_receivers.glsl"},
 						{"deferred_find.frag"}},
 				},
 		},
