@@ -46,4 +46,7 @@ void main()
 #ifdef HANDS_ON
 	hand_on();
 #endif
+#ifdef HANDS_ON_SURFACE
+	hand_on_surface();
+#endif
 }

@@ -74,8 +74,10 @@ static const struct {
 #define TAP_FLAGS (FLAG_SMOOTHIE | FLAG_TWO_SIDED | FLAG_BICUBIC)
 #define COMPARE_FLAGS (FLAG_HARD | FLAG_PCSS | FLAG_MAPS)
 
-/* Surfaces that have what is the same everywhere from their vertices. */
+/* Surfaces that have what a light's pixels all read from their vertices, and those that have what is
+ * theirs. */
 #define FLAT_FLAGS (FLAG_EDGES | FLAG_RECEIVERS)
+#define FLAT_SURFACE_FLAGS (FLAT_FLAGS | FLAG_CELLS | FLAG_FOUND)
 
 /* In which form plain depths are read. */
 #define PLAIN_FLAGS (FLAG_DEPTH_HALF | FLAG_DEPTH_PACKED)
@@ -96,7 +98,7 @@ static const struct {
 	const char *name;
 	uint64_t flags;      /* that mean something */
 	const char *defines; /* in all variants; may be NULL */
-	struct part parts[2][29];
+	struct part parts[2][31];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -179,6 +181,8 @@ static const struct {
 					{
 						{"shadow_screen.glsl", FLAT_FLAGS},
 						{"gather_flat_out.glsl", FLAT_FLAGS},
+						{"surface_uniforms.glsl", FLAT_SURFACE_FLAGS},
+						{"surface_flat_out.glsl", FLAT_SURFACE_FLAGS},
 						{"surface.vert"},
 					},
 					{
@@ -213,6 +217,8 @@ static const struct {
 						{"deferred_seen.glsl", FLAG_FOUND},
 						{"shadow_seen.glsl", FLAG_SEEN | FLAG_SAMPLES},
 						{"common_middle.glsl", FLAG_COARSE},
+						{"surface_uniforms.glsl", 0, FLAT_SURFACE_FLAGS},
+						{"surface_flat_in.glsl", FLAT_SURFACE_FLAGS},
 						{"surface.frag"},
 					},
 				},
