@@ -180,12 +180,14 @@ const float STRANGE_ALONE = 2.0;
 // nowhere else, so that a test at the start alone costs a round in which no lane does anything.
 origin origin_among(receiver r, origin middle, int tries)
 {
-	origin from = middle;
 	vec2 place = r.s.xy * map_size.x, nearest = floor(place);
 	vec2 side = place - nearest - 0.5;
 	vec2 beside = vec2(side.x < 0.0 ? -1.0 : 1.0, side.y < 0.0 ? -1.0 : 1.0);
 	bool x_first = abs(side.x) >= abs(side.y);
+	// Of the best texel so far.
 	float best = NOT_FOUND;
+	vec2 aside = vec2(0.0);
+	int blocking_there = 0, before_there = 0;
 	for (int i = 0; i < tries;) {
 		vec2 step = vec2(float(i & 1), float(i >> 1));
 		vec2 texel = nearest + beside * (x_first ? step : step.yx);
@@ -218,25 +220,26 @@ origin origin_among(receiver r, origin middle, int tries)
 		float score = own_layer >= 0 ? strange + doubts : NOT_FOUND;
 		if (i == 0 || score < best - BETTER) {
 			best = score;
-			// Where all layers are before the receiver more sheets may be: of what does
-			// not cast it is taken that it lies behind all that are in line, and what
-			// does is dark where layers are drawn no further.
-			bool hidden = r.casts_too && blocking == LAYERS_MOST;
-			bool full = !r.casts_too && blocking == layer_count;
-			from.at = full ? middle.at : off + r.s.xy;
-			from.winding = full ? middle.winding : hidden ? HIDDEN : blocking;
-			from.seen = full || hidden || !r.casts_too ? from.winding : before;
-			// Before all edges: none is looked at.
-			from.depth = full ? middle.depth : hidden ? -1.0 : r.s.z - r.noise;
-			from.own_depth = full ? 0.0 : 2.0 * r.noise;
-			from.deepest = from.depth + from.own_depth + (full ? 0.0 : max(rise, 0.0));
-			from.slope = full ? vec2(0.0) : r.slope;
+			aside = off;
+			blocking_there = blocking;
+			before_there = before;
 		}
 		i++;
 		if (i >= tries || best < GOOD)
 			break;
 	}
-	return from;
+	// Where all layers are before the receiver more sheets may be: of what does not cast it is
+	// taken that it lies behind all that are in line, and what does is dark where layers are
+	// drawn no further.
+	bool hidden = r.casts_too && blocking_there == LAYERS_MOST;
+	if (tries == 0 || (!r.casts_too && blocking_there == layer_count))
+		return middle;
+	int winding = hidden ? HIDDEN : blocking_there;
+	// Before all edges: none is looked at.
+	float depth = hidden ? -1.0 : r.s.z - r.noise, own_depth = 2.0 * r.noise;
+	float deepest = depth + own_depth + max(dot(r.slope, aside), 0.0);
+	return origin(aside + r.s.xy, winding, hidden || !r.casts_too ? winding : before_there,
+		depth, own_depth, deepest, r.slope);
 }
 
 origin origin_of(receiver r, uvec4 tile, vec2 tile_at)
