@@ -1,5 +1,5 @@
 // What all pixels of a light read, handed on to them by vertices. A fragment shader of llvmpipe gathers
-// each component of a uniform lane by lane, 27 instructions for 8 pixels; what is flat it has by two, and
+// each component of a uniform lane by lane, 26 instructions for 8 pixels; what is flat it has by two, and
 // vertices and triangles are few beside pixels.
 uniform bool casts;        // the receiver, as well
 uniform float disc_scale;  // radius of the disc, window x or y, over the depth before the receiver

@@ -105,12 +105,12 @@ bool depth_map_draw_part(struct depth_map *map, struct gpu *gpu, const struct sm
 bool depth_map_look_at_receivers(struct object_watch *watch, const struct sm_scene *scene,
 	const struct light_frame *frame, struct screen_box *changed, struct sm_error *error);
 
-/** Binds the map, or its layers, for a surface program, and sets the uniforms of
- *  shadow_receiver.glsl. */
+/** Binds the map, or its layers, for a surface program, and sets the uniforms that it is looked up
+ *  by. */
 void depth_map_bind(const struct depth_map *map, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program);
 
-/** Sets the uniforms of shadow_receiver.glsl for maps of `texels` a side. */
+/** Sets the uniforms of shadow_screen.glsl and shadow_receiver.glsl for maps of `texels` a side. */
 void depth_map_set_receiver(struct gpu *gpu, GLsizei texels, enum depth_map_filter filter,
 	const struct light_frame *frame, const struct program *program);
 
