@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "egl.h"
 #include "base/error.h"
+#include "heap.h"
 #include <EGL/eglext.h>
 #include <string.h>
 
@@ -114,6 +115,8 @@ static bool make_context(struct egl *egl, uint32_t format, bool debug, struct sm
 	egl->native_fences = egl_has_extension(egl->display, "EGL_ANDROID_native_fence_sync") &&
 			     egl_has_extension(egl->display, "EGL_KHR_wait_sync");
 	egl->software = is_software(egl->display);
+	if (egl->software)
+		heap_keep();
 	return egl_use_no_surface(egl, error);
 }
 

@@ -74,8 +74,8 @@ static const struct {
 #define TAP_FLAGS (FLAG_SMOOTHIE | FLAG_TWO_SIDED | FLAG_BICUBIC)
 #define COMPARE_FLAGS (FLAG_HARD | FLAG_PCSS | FLAG_MAPS)
 
-/* Surfaces that have what a light's pixels all read from their vertices, and those that have what is
- * theirs. */
+/* Surfaces that have what a light's pixels all read from their vertices, and those that have what
+ * is theirs. */
 #define FLAT_FLAGS (FLAG_EDGES | FLAG_RECEIVERS)
 #define FLAT_SURFACE_FLAGS (FLAT_FLAGS | FLAG_CELLS | FLAG_FOUND)
 
