@@ -1,4 +1,5 @@
 // What gather_flat_out.glsl hands on, by the uniforms' names.
+#ifdef FLAT_INPUTS
 flat in vec4 flat_screen, flat_depth, flat_map, flat_disc, flat_lists;
 
 #define screen_w flat_screen.xyz
@@ -16,3 +17,4 @@ flat in vec4 flat_screen, flat_depth, flat_map, flat_disc, flat_lists;
 #define layer_count int(flat_lists.y)
 #define hollow_base int(flat_lists.z)
 #define depth_noise flat_lists.w
+#endif

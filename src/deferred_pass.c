@@ -28,7 +28,8 @@ static uint64_t find_flags(const struct surface_pass *view)
 {
 	const struct technique *technique = view->renderer->shadows.technique;
 	uint64_t way = technique->surface_flags(view->shadow->state);
-	return FLAG_RECEIVERS | (way & (FLAG_RUNS | FLAG_COARSE | FLAG_TWO_LAYERS | FLAG_HOLLOWS));
+	return FLAG_RECEIVERS | FLAG_FLAT_INPUTS |
+	       (way & (FLAG_RUNS | FLAG_COARSE | FLAG_TWO_LAYERS | FLAG_HOLLOWS));
 }
 
 /* Of the light, with its receivers to read. */
@@ -64,7 +65,8 @@ static bool find_known(
 {
 	struct surface_pass pass = *view;
 	struct gl *gl = &view->renderer->gpu.gl;
-	struct program_key key = {PROGRAM_KNOWN, cells != NULL ? FLAG_CELLS : 0};
+	struct program_key key = {
+		PROGRAM_KNOWN, FLAG_FLAT_INPUTS | (cells != NULL ? FLAG_CELLS : 0)};
 	const struct program *program = use_program(view, key, error);
 	if (program == NULL)
 		return false;

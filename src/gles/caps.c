@@ -63,6 +63,7 @@ static const struct cap_info infos[CAP_COUNT] = {
 	/* In the midst of a pass, at the first texture that another has drawn, the driver ends what
 	 * is drawn until then and waits for all of it. */
 	[CAP_LATE_WAIT] = {.name = "late_wait"},
+	[CAP_SLOW_UNIFORMS] = {.name = "slow_uniforms"},
 	[CAP_SRGB_STORED] = {.name = "srgb_stored", .any = CAP_BIT(TEXTURE_SRGB_DECODE)},
 };
 
@@ -188,9 +189,11 @@ static void find_extensions(struct caps *caps, struct gl *gl)
 static void find_habits(struct caps *caps)
 {
 	static const char name[] = "llvmpipe";
-	bool waits = caps->renderer != NULL && strncmp(caps->renderer, name, strlen(name)) == 0;
-	if (!caps->found[CAP_LATE_WAIT].taken)
-		caps_note(caps, CAP_LATE_WAIT, waits, "%s", waits ? name : "another driver");
+	static const enum cap habits[] = {CAP_LATE_WAIT, CAP_SLOW_UNIFORMS};
+	bool is_it = caps->renderer != NULL && strncmp(caps->renderer, name, strlen(name)) == 0;
+	for (size_t i = 0; i < sizeof(habits) / sizeof(habits[0]); i++)
+		if (!caps->found[habits[i]].taken)
+			caps_note(caps, habits[i], is_it, "%s", is_it ? name : "another driver");
 }
 
 bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_error *error)

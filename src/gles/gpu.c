@@ -19,6 +19,7 @@ bool gpu_init(struct gpu *gpu, sm_get_proc get_proc, const struct sm_driver_opti
 	if (!ways_force(gpu, options->paths, options->path_count, error))
 		return false;
 	gpu->gl.finishes_passes = way_choose(gpu, DRIVER_PASSES, NULL) == PASSES_FINISHED;
+	gpu->flat_inputs = way_choose(gpu, DRIVER_CONSTANTS, NULL) == CONSTANTS_FLAT;
 	return true;
 }
 

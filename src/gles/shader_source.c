@@ -57,6 +57,7 @@ static const struct {
 	FLAG(TWO_LAYERS),
 	FLAG(HOLLOWS),
 	FLAG(SAMPLES),
+	FLAG(FLAT_INPUTS),
 #undef FLAG
 };
 
@@ -74,10 +75,8 @@ static const struct {
 #define TAP_FLAGS (FLAG_SMOOTHIE | FLAG_TWO_SIDED | FLAG_BICUBIC)
 #define COMPARE_FLAGS (FLAG_HARD | FLAG_PCSS | FLAG_MAPS)
 
-/* Surfaces that have what a light's pixels all read from their vertices, and those that have what
- * is theirs. */
-#define FLAT_FLAGS (FLAG_EDGES | FLAG_RECEIVERS)
-#define FLAT_SURFACE_FLAGS (FLAT_FLAGS | FLAG_CELLS | FLAG_FOUND)
+/* Surfaces that read of a light what gather does. */
+#define GATHER_FLAGS (FLAG_EDGES | FLAG_RECEIVERS)
 
 /* In which form plain depths are read. */
 #define PLAIN_FLAGS (FLAG_DEPTH_HALF | FLAG_DEPTH_PACKED)
@@ -98,7 +97,7 @@ static const struct {
 	const char *name;
 	uint64_t flags;      /* that mean something */
 	const char *defines; /* in all variants; may be NULL */
-	struct part parts[2][31];
+	struct part parts[2][33];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -175,14 +174,15 @@ static const struct {
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
 				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS |
 				 FLAG_COARSE | FLAG_BEHIND | FLAG_WORDS | FLAG_TWO_LAYERS |
-				 FLAG_HOLLOWS | FLAG_SAMPLES,
+				 FLAG_HOLLOWS | FLAG_SAMPLES | FLAG_FLAT_INPUTS,
 			.parts =
 				{
 					{
-						{"shadow_screen.glsl", FLAT_FLAGS},
-						{"gather_flat_out.glsl", FLAT_FLAGS},
-						{"surface_uniforms.glsl", FLAT_SURFACE_FLAGS},
-						{"surface_flat_out.glsl", FLAT_SURFACE_FLAGS},
+						{"shadow_screen.glsl", GATHER_FLAGS},
+						{"gather_uniforms.glsl", GATHER_FLAGS},
+						{"gather_flat_out.glsl", GATHER_FLAGS},
+						{"surface_uniforms.glsl", FLAG_FLAT_INPUTS},
+						{"surface_flat_out.glsl", FLAG_FLAT_INPUTS},
 						{"surface.vert"},
 					},
 					{
@@ -193,8 +193,12 @@ static const struct {
 							TAP_FLAGS | COMPARE_FLAGS},
 						{"common_depth_step.glsl",
 							SHADOW_FLAGS | FLAG_RECEIVERS},
-						{"shadow_screen.glsl", SHADOW_FLAGS, FLAT_FLAGS},
-						{"gather_flat_in.glsl", FLAT_FLAGS},
+						{"shadow_screen.glsl", SHADOW_FLAGS, GATHER_FLAGS},
+						{"shadow_screen.glsl", GATHER_FLAGS,
+							FLAG_FLAT_INPUTS},
+						{"gather_uniforms.glsl", GATHER_FLAGS,
+							FLAG_FLAT_INPUTS},
+						{"gather_flat_in.glsl", GATHER_FLAGS},
 						{"shadow_receiver.glsl",
 							SHADOW_FLAGS | FLAG_RECEIVERS},
 						{"shadow_taps.glsl", TAP_FLAGS | COMPARE_FLAGS},
@@ -217,8 +221,8 @@ static const struct {
 						{"deferred_seen.glsl", FLAG_FOUND},
 						{"shadow_seen.glsl", FLAG_SEEN | FLAG_SAMPLES},
 						{"common_middle.glsl", FLAG_COARSE},
-						{"surface_uniforms.glsl", 0, FLAT_SURFACE_FLAGS},
-						{"surface_flat_in.glsl", FLAT_SURFACE_FLAGS},
+						{"surface_uniforms.glsl", 0, FLAG_FLAT_INPUTS},
+						{"surface_flat_in.glsl", FLAG_FLAT_INPUTS},
 						{"surface.frag"},
 					},
 				},
@@ -231,11 +235,11 @@ static const struct {
 	[PROGRAM_KNOWN] =
 		{
 			.name = "known",
-			.flags = FLAG_CELLS,
+			.flags = FLAG_CELLS | FLAG_FLAT_INPUTS,
 			.parts =
 				{
-					{{"shadow_screen.glsl"}, {"gather_flat_out.glsl"},
-						{"copy.vert"}},
+					{{"shadow_screen.glsl"}, {"gather_uniforms.glsl"},
+						{"gather_flat_out.glsl"}, {"copy.vert"}},
 					{{"sparse_cell.glsl", FLAG_CELLS},
 						{"sparse_between.glsl", FLAG_CELLS},
 						{"gather_flat_in.glsl"},
@@ -247,11 +251,11 @@ static const struct {
 		{
 			.name = "find",
 			.flags = FLAG_RECEIVERS | FLAG_RUNS | FLAG_COARSE | FLAG_POINTS |
-				 FLAG_TWO_LAYERS | FLAG_HOLLOWS,
+				 FLAG_TWO_LAYERS | FLAG_HOLLOWS | FLAG_FLAT_INPUTS,
 			.parts =
 				{
-					{{"shadow_screen.glsl"}, {"gather_flat_out.glsl"},
-						{"copy.vert"}},
+					{{"shadow_screen.glsl"}, {"gather_uniforms.glsl"},
+						{"gather_flat_out.glsl"}, {"copy.vert"}},
 					{{"common_depth_step.glsl"}, {"gather_flat_in.glsl"},
 						{"shadow_receiver.glsl"}, {"gather_sheet.glsl"},
 						{"gather_disc.glsl"}, {"shadow_gather.glsl"},
@@ -382,6 +386,7 @@ static bool surface_is_complete(uint64_t flags)
 	       implies(flags, FLAG_TWO_LAYERS, FLAG_EDGES) &&
 	       implies(flags, FLAG_HOLLOWS, FLAG_EDGES) &&
 	       implies(flags, FLAG_SAMPLES, FLAG_FOUND) &&
+	       (!(flags & FLAG_FLAT_INPUTS) || flags & FLAT_SURFACE_FLAGS) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
 	       (!(flags & PLAIN_FLAGS) || reads_plainly(flags));
@@ -395,8 +400,11 @@ static bool is_complete(struct program_key key)
 	case PROGRAM_SURFACE:
 		return flags & FLAG_RECEIVERS ? receivers_are_complete(flags)
 					      : surface_is_complete(flags);
+	/* Three vertices hand on what they will. */
+	case PROGRAM_KNOWN:
+		return (flags & FLAG_FLAT_INPUTS) != 0;
 	case PROGRAM_FIND:
-		return (flags & FLAG_RECEIVERS) != 0;
+		return flags & FLAG_RECEIVERS && flags & FLAG_FLAT_INPUTS;
 	case PROGRAM_BLUR:
 		return !(flags & (FLAG_RECEIVER_MAP | PLAIN_FLAGS)) || flags & FLAG_FROM_DEPTH;
 	default:
@@ -411,7 +419,7 @@ static bool surface_conflicts(uint64_t flags)
 	       !excludes(flags, FLAG_CELLS, SHADOW_FLAGS & ~FLAG_EDGES) ||
 	       !excludes(flags, FLAG_RECEIVERS,
 		       ~(FLAG_RECEIVERS | FLAG_LIT | FLAG_SHADOWED | FLAG_VISIBILITY |
-			       FLAG_COARSE)) ||
+			       FLAG_COARSE | FLAG_FLAT_INPUTS)) ||
 	       !excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) ||
 	       !excludes(flags, FLAG_BEHIND, FLAG_TWO_LAYERS | FLAG_HOLLOWS) ||
 	       !excludes(flags, FLAG_WORDS, FLAG_SEPARATE_DEPTH) ||

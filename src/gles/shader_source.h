@@ -80,9 +80,13 @@ enum program_kind {
 #define FLAG_TWO_LAYERS (UINT64_C(1) << 41)
 #define FLAG_HOLLOWS (UINT64_C(1) << 42)
 #define FLAG_SAMPLES (UINT64_C(1) << 43)
+#define FLAG_FLAT_INPUTS (UINT64_C(1) << 44)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 44)
+#define FLAG_END (UINT64_C(1) << 45)
+
+/** With one of these a surface may have FLAG_FLAT_INPUTS. */
+#define FLAT_SURFACE_FLAGS (FLAG_EDGES | FLAG_RECEIVERS | FLAG_CELLS | FLAG_FOUND)
 
 struct program_key {
 	enum program_kind kind;

@@ -85,6 +85,11 @@ static const struct {
 			0, 0, CAP_BIT(LATE_WAIT)},
 		[PASSES_QUEUED] = {"queued", "one after the other", 0, 0},
 	}},
+	[DRIVER_CONSTANTS] = {"constants", "what all pixels of a light read", {
+		[CONSTANTS_FLAT] = {"flat", "from vertices, the same at each",
+			0, 0, CAP_BIT(SLOW_UNIFORMS)},
+		[CONSTANTS_UNIFORMS] = {"uniforms", "from uniforms", 0, 0},
+	}},
 };
 /* clang-format on */
 

@@ -16,6 +16,7 @@ enum driver_need {
 	DRIVER_COPY,
 	DRIVER_BRANCH,
 	DRIVER_PASSES,
+	DRIVER_CONSTANTS,
 	DRIVER_NEEDS,
 };
 
@@ -36,6 +37,7 @@ enum moments_way { MOMENTS_RG32F, MOMENTS_RG32F_FETCH, MOMENTS_RGBA16F, MOMENTS_
 enum copy_way { COPY_STORED, COPY_ENCODE };
 enum branch_way { BRANCH_EARLY_DEPTH, BRANCH_SHADER };
 enum passes_way { PASSES_FINISHED, PASSES_QUEUED };
+enum constants_way { CONSTANTS_FLAT, CONSTANTS_UNIFORMS };
 
 /** One way to meet a need. */
 struct driver_way {

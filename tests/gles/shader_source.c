@@ -51,6 +51,7 @@ static const struct {
 	{FLAG_TWO_LAYERS, "TWO_LAYERS"},
 	{FLAG_HOLLOWS, "HOLLOWS"},
 	{FLAG_SAMPLES, "SAMPLES"},
+	{FLAG_FLAT_INPUTS, "FLAT_INPUTS"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -159,15 +160,15 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 		3 * plain +  /* pcss: plain depths, and one of three comparisons */
 		comparison + /* maps */
 		2 * 2 +      /* variance maps, filtered or fetched, whole or split */
-		2 * edges +  /* gather, for each pixel or what cells leave out */
-		1 +          /* cells */
-		2;           /* what was found before surfaces, of one sample a pixel or more */
+		/* With flat inputs or uniforms: gather, for each pixel or what cells leave out, cells,
+		 * and what was found before surfaces, of one sample a pixel or more. */
+		2 * (2 * edges + 1 + 2);
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
 	/* What was seen before has no picture of visibility; points without light or shadow, or
 	 * with each gather; receivers without light or shadow, or with one on either grid, as
-	 * visibility or not. */
-	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + edges + 4 * 2);
+	 * visibility or not; with flat inputs or uniforms. */
+	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + 2 * (edges + 4 * 2));
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
 	/* Whole lists or runs, on a fine raster grid or a coarse one, with up to two layers or
 	 * more, with triangles over hollows or without, of pixels or points. */
@@ -277,6 +278,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE,
 			FLAG_LIT | FLAG_SHADOWED | FLAG_EDGES | FLAG_BEHIND | FLAG_HOLLOWS},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SEEN | FLAG_SAMPLES},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_FLAT_INPUTS},
 		{PROGRAM_SURFACE, FLAG_END},
 	};
 	for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++)
