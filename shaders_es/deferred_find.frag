@@ -7,7 +7,7 @@ layout(location = 0) out uint found; // steps of 1/65535
 
 float visibility_of(uvec4 texel, float spacing)
 {
-	vec2 slope = unpackHalf2x16(texel.w & ~0x10001u) * (map_size.x / SLOPE_SCALE);
+	vec2 slope = slope_of(texel.w & ~0x10001u);
 	bool casts_too = (texel.w & 1u) != 0u;
 	vec3 s = uintBitsToFloat(texel.xyz);
 	return gathered_visibility(receiver_of(s, slope, casts_too, spacing));

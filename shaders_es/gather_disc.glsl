@@ -74,8 +74,9 @@ float bits_of(uvec2 v)
 {
 	v -= v >> 1 & 0x55555555u;
 	v = (v & 0x33333333u) + (v >> 2 & 0x33333333u);
-	v = (v & 0x0f0f0f0fu) + (v >> 4 & 0x0f0f0f0fu);
-	return float((v.x + v.y) * 0x01010101u >> 24);
+	uint both = v.x + v.y;
+	both = (both & 0x0f0f0f0fu) + (both >> 4 & 0x0f0f0f0fu);
+	return float(both * 0x01010101u >> 24);
 }
 
 // How edges that border on other blockers count against those that border on what is not covered.

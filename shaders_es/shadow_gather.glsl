@@ -82,6 +82,15 @@ vec2 faced(receiver r, vec2 v)
 	return v - r.e * (dot(r.e, v) * r.k);
 }
 
+// Depth over window x or y, of what is kept. The bits of a half within those of a float are it times
+// 2^-112: exactly, but that what is below 6.2e-5 may be 0.
+vec2 slope_of(uint halves)
+{
+	const float SCALE = 5.192296858534828e33 / SLOPE_SCALE;
+	ivec2 bits = ivec2(int(halves << 16), int(halves)) >> 3 & int(0x8fffe000u);
+	return intBitsToFloat(bits) * (map_size.x * SCALE);
+}
+
 // A sheet at a texel of the layers.
 struct sheet {
 	float depth;
@@ -90,8 +99,7 @@ struct sheet {
 
 sheet sheet_of(uvec4 texel)
 {
-	vec2 slope = unpackHalf2x16(texel.y) * (map_size.x / SLOPE_SCALE);
-	return sheet(uintBitsToFloat(texel.x), slope);
+	return sheet(uintBitsToFloat(texel.x), slope_of(texel.y));
 }
 
 // Those at a texel of each layer, nearest first.
