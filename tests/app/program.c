@@ -60,9 +60,11 @@ static pid_t spawn(const struct run *run, int out, int error)
 
 int await_program(pid_t pid)
 {
-	static const struct timespec pause = {.tv_nsec = 2000000};
+	/* One that hangs; sanitizers on a busy machine take ten seconds of some. */
+	enum { SECONDS_MOST = 60, POLLS_A_SECOND = 500 };
+	static const struct timespec pause = {.tv_nsec = 1000000000 / POLLS_A_SECOND};
 	int status;
-	for (int i = 0; i < 10 * 500; i++) {
+	for (int i = 0; i < SECONDS_MOST * POLLS_A_SECOND; i++) {
 		if (waitpid(pid, &status, WNOHANG) == pid)
 			return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 		nanosleep(&pause, NULL);

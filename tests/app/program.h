@@ -26,7 +26,7 @@ struct outcome {
 	char *error; /**< owned, 0-terminated */
 };
 
-/** Runs it to its end, 10 seconds at most; finish with outcome_finish(). */
+/** Runs it to its end, a minute at most; finish with outcome_finish(). */
 struct outcome run_program(const struct run *run);
 /** run_program() with these arguments. */
 #define RUN(...) run_program(&(struct run){.arguments = {__VA_ARGS__}})
@@ -34,7 +34,7 @@ void outcome_finish(struct outcome *outcome);
 
 /** Starts it with stdout and stderr closed to the world, and returns at once. */
 pid_t start_program(const struct run *run);
-/** Waits 10 seconds at most, then kills; as outcome.status. */
+/** Waits a minute at most, then kills; as outcome.status. */
 int await_program(pid_t pid);
 
 /** Asserts a failure as users see it: this status, and one line on stderr that holds `text`. */
