@@ -85,25 +85,47 @@ unsigned workers_share(struct workers *workers)
 	return workers->count;
 }
 
-void workers_run(struct workers *workers, unsigned parts, void (*work)(void *data, unsigned part),
+void workers_begin(struct workers *workers, unsigned parts, void (*work)(void *data, unsigned part),
 	void *data)
 {
-	if (workers_share(workers) == 1) {
-		for (unsigned part = 0; part < parts; part++)
-			work(data, part);
-		return;
-	}
-	pthread_mutex_lock(&workers->mutex);
+	bool alone = workers_share(workers) == 1;
+	if (!alone)
+		pthread_mutex_lock(&workers->mutex);
 	workers->work = work;
 	workers->data = data;
 	workers->next = 0;
 	workers->parts = workers->left = parts;
 	workers->round++;
-	pthread_cond_broadcast(&workers->begun);
+	if (alone)
+		return;
+	if (parts == 1)
+		pthread_cond_signal(&workers->begun);
+	else
+		pthread_cond_broadcast(&workers->begun);
+	pthread_mutex_unlock(&workers->mutex);
+}
+
+void workers_wait(struct workers *workers)
+{
+	if (workers->count == 1) {
+		for (; workers->next < workers->parts; workers->next++)
+			workers->work(workers->data, workers->next);
+		return;
+	}
+	pthread_mutex_lock(&workers->mutex);
 	take_parts(workers);
 	while (workers->left > 0)
 		pthread_cond_wait(&workers->done, &workers->mutex);
 	pthread_mutex_unlock(&workers->mutex);
+}
+
+void workers_run(struct workers *workers, unsigned parts, void (*work)(void *data, unsigned part),
+	void *data)
+{
+	struct workers alone = {.count = 1};
+	struct workers *all = workers != NULL ? workers : &alone;
+	workers_begin(all, parts, work, data);
+	workers_wait(all);
 }
 
 void workers_finish(struct workers *workers)

@@ -26,8 +26,15 @@ struct workers {
  *  and where none can be started. */
 unsigned workers_share(struct workers *workers);
 
-/** Runs work(data, part) for each part below `parts`, in any order and on any thread, and returns
- *  when all are done. To be called by one thread at a time. */
+/** Begins work(data, part) for each part below `parts`, in any order and on any other thread. No
+ *  further work is begun before workers_wait(). To be called by one thread at a time. */
+void workers_begin(struct workers *workers, unsigned parts, void (*work)(void *data, unsigned part),
+	void *data);
+
+/** Shares what has been begun, and returns when all parts are done. */
+void workers_wait(struct workers *workers);
+
+/** Begins work and waits for it; with NULL the caller does all. */
 void workers_run(struct workers *workers, unsigned parts, void (*work)(void *data, unsigned part),
 	void *data);
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/workers.h"
+#include <sched.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <unistd.h>
@@ -66,12 +68,58 @@ static void start_again_when_finished(void **state)
 	}
 }
 
+/* Whether a part has begun, on another thread. */
+struct sign {
+	atomic_bool begun;
+	pthread_t thread;
+};
+
+static void give_sign(void *data, unsigned part)
+{
+	struct sign *sign = data;
+	(void)part;
+	sign->thread = pthread_self();
+	atomic_store(&sign->begun, true);
+}
+
+static void work_meanwhile(void **state)
+{
+	(void)state;
+	struct workers workers = {.most = 2};
+	for (int i = 0; i < 300; i++) {
+		struct sign sign = {false};
+		workers_begin(&workers, 1, give_sign, &sign);
+		/* Ends only if another thread works. */
+		while (!atomic_load(&sign.begun))
+			sched_yield();
+		workers_wait(&workers);
+		assert_false(pthread_equal(sign.thread, pthread_self()));
+	}
+	workers_finish(&workers);
+}
+
+static void work_at_last_where_they_are_alone(void **state)
+{
+	(void)state;
+	struct workers workers = {.most = 1};
+	struct tally tally = {{0}};
+	workers_begin(&workers, PARTS_MAX, count_part, &tally);
+	for (unsigned part = 0; part < PARTS_MAX; part++)
+		assert_int_equal(tally.done[part], 0);
+	workers_wait(&workers);
+	for (unsigned part = 0; part < PARTS_MAX; part++)
+		assert_int_equal(tally.done[part], 1);
+	workers_finish(&workers);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(do_each_part_once),
 		cmocka_unit_test(are_as_many_as_processors),
 		cmocka_unit_test(start_again_when_finished),
+		cmocka_unit_test(work_meanwhile),
+		cmocka_unit_test(work_at_last_where_they_are_alone),
 	};
 	return cmocka_run_group_tests_name("workers", tests, NULL, NULL);
 }
