@@ -24,7 +24,7 @@ struct gpu {
 	bool flat_inputs;      /* surfaces that may have them do */
 	struct sm_frame_stats stats;
 	struct skips skips;
-	struct workers workers; /* share the search of large meshes */
+	struct workers workers; /* share the search of large meshes, or find edges aside */
 	uint64_t failures;      /* frames that failed: nobody knows what they left in textures */
 };
 

@@ -201,19 +201,38 @@ static struct edge_grid_options grid_options(
 	};
 }
 
-static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
-	const struct light_frame *frame, const struct edge_grid_options *options,
-	struct sm_error *error)
+/* A search of edges that another thread may do. */
+struct edge_search {
+	struct gather *gather;
+	const struct sm_scene *scene;
+	const struct light_frame *frame;
+	struct edge_grid_options options;
+	bool found;
+	double ms; /* that it took of a processor */
+};
+
+static void find_edges(void *data, unsigned part)
 {
-	gl_push_group(&gpu->gl, "silhouettes");
+	struct edge_search *search = data;
 	double start = processor_ms();
-	bool found = edge_grid_find(&gather->grid, scene, frame, options);
-	if (found) {
+	(void)part;
+	search->found = edge_grid_find(
+		&search->gather->grid, search->scene, search->frame, &search->options);
+	search->ms = processor_ms() - start;
+}
+
+static bool finish_edges(const struct edge_search *search, struct gpu *gpu, struct sm_error *error)
+{
+	struct gather *gather = search->gather;
+	gl_push_group(&gpu->gl, "silhouettes");
+	workers_wait(&gpu->workers);
+	double start = processor_ms();
+	if (search->found) {
 		mark_soft(gather);
 		count_edges(gather, &gpu->stats);
 		skip_count(&gpu->skips, SKIP_STATIC, gather->grid.keep.caster_count,
 			gather->grid.keep.kept_count);
-		gpu->stats.silhouette_ms += processor_ms() - start;
+		gpu->stats.silhouette_ms += search->ms + processor_ms() - start;
 		gpu->gl.ActiveTexture(GL_TEXTURE0);
 		upload_tiles(gather, gpu);
 		gpu->stats.uploaded_bytes += upload_edges(gather, &gpu->gl) +
@@ -221,7 +240,7 @@ static bool find_edges(struct gather *gather, struct gpu *gpu, const struct sm_s
 						     sizeof(struct edge_tile);
 	}
 	gl_pop_group(&gpu->gl);
-	return found || error_no_memory(error);
+	return search->found || error_no_memory(error);
 }
 
 /* Roundings on a vertex's way to its depth, steps of a float in all. */
@@ -259,18 +278,20 @@ static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_
 		&gather->grid.keep.watch, changed, error);
 }
 
-/* Edges tell how many layers there are, but it takes the processor a while to find them: as many as
- * the last frame had are drawn first, so that a driver has something to do meanwhile. */
+/* Edges tell how many layers there are, but it takes a processor a while to find them: as many as
+ * the last frame had are drawn meanwhile, or, by the same thread, before. */
 static bool draw_sheets(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
-	const struct edge_grid_options options = grid_options(gather, scene, frame);
+	struct edge_search search = {
+		gather, scene, frame, grid_options(gather, scene, frame), .found = false};
 	const struct screen_box none = screen_box_none();
-	if (!edge_grid_look(&gather->grid, scene, frame, &options))
+	if (!edge_grid_look(&gather->grid, scene, frame, &search.options))
 		return error_no_memory(error);
 	gather->sheets = gather->sheets > 0 ? gather->sheets : 1;
-	if (!draw_layers(gather, gpu, scene, frame, &gather->grid.keep.changed, error) ||
-		!find_edges(gather, gpu, scene, frame, &options, error))
+	workers_begin(&gpu->workers, 1, find_edges, &search);
+	bool drawn = draw_layers(gather, gpu, scene, frame, &gather->grid.keep.changed, error);
+	if (!finish_edges(&search, gpu, error) || !drawn)
 		return false;
 	gather->sheets = sheets_in_line(&gather->grid);
 	return draw_layers(gather, gpu, scene, frame, &none, error);
