@@ -11,6 +11,8 @@ static bool draw_receivers(const struct surface_pass *view, struct sm_error *err
 	pass.flags = (view->flags & FLAG_VISIBILITY) | FLAG_RECEIVERS;
 	pass.first = true;
 	pass.multisampled = false;
+	/* Samples compare depths with those that another light may have drawn since. */
+	pass.wanted = view->multisampled ? NULL : view->wanted;
 	view->renderer->received = (struct points_key){0};
 	if (!picture_resize(&view->renderer->receivers, gl, STORAGE_RECEIVERS, view->width,
 		    view->height, GL_RGBA32UI, error))
@@ -47,14 +49,30 @@ static const struct program *use_program(
 	return program;
 }
 
+/* Fills the pixels that are wanted; of points: those among them and the next ones. */
+static void fill(const struct surface_pass *view, bool points)
+{
+	struct gpu *gpu = &view->renderer->gpu;
+	struct gl *gl = &gpu->gl;
+	struct screen_part part = {0};
+	gl->Enable(GL_SCISSOR_TEST);
+	while (screen_part_next(&part, view->wanted, view->width, view->height)) {
+		const struct pixel_box box = points ? sparse_pass_points_in(&part.box) : part.box;
+		gl->Scissor(box.left, box.bottom, box.right - box.left, box.top - box.bottom);
+		gpu_fill_tested(gpu);
+	}
+	gl->Disable(GL_SCISSOR_TEST);
+}
+
 static bool find_points(const struct surface_pass *view, struct sm_error *error)
 {
-	struct sm_renderer *renderer = view->renderer;
+	struct gl *gl = &view->renderer->gpu.gl;
 	struct program_key key = {PROGRAM_FIND, find_flags(view) | FLAG_POINTS};
-	renderer->gpu.gl.Disable(GL_CULL_FACE);
-	if (!sparse_pass_bind_points(view, error) || use_program(view, key, error) == NULL)
+	gl->Disable(GL_CULL_FACE);
+	if (!sparse_pass_begin_points(view, error) || use_program(view, key, error) == NULL)
 		return false;
-	gpu_fill_viewport(&renderer->gpu, 0);
+	gl->Disable(GL_DEPTH_TEST);
+	fill(view, true);
 	return true;
 }
 
@@ -79,7 +97,7 @@ static bool find_known(
 	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
-	gpu_fill_tested(&view->renderer->gpu);
+	fill(view, false);
 	return true;
 }
 
@@ -89,7 +107,7 @@ static bool find_rest(const struct surface_pass *view, struct sm_error *error)
 	if (use_program(view, key, error) == NULL)
 		return false;
 	view->renderer->gpu.gl.DepthMask(GL_FALSE);
-	gpu_fill_tested(&view->renderer->gpu);
+	fill(view, false);
 	view->renderer->gpu.gl.DepthMask(GL_TRUE);
 	return true;
 }
@@ -121,11 +139,15 @@ bool deferred_pass_draw(
 {
 	struct gl *gl = &view->renderer->gpu.gl;
 	bool sparse = light->sampling == SM_SAMPLING_DEFERRED_SPARSE;
-	if (!draw_receivers(view, error) || (sparse && !draw_points(view, error)))
+	struct surface_pass pass = *view;
+	struct screen_grid wanted;
+	pass.wanted = &wanted;
+	if (!surface_pass_mark(&pass, &wanted, error) || !draw_receivers(&pass, error) ||
+		(sparse && !draw_points(&pass, error)))
 		return false;
 	gl_push_group(gl, "visibility");
 	gl->light = (uint32_t)(light - view->renderer->lights);
-	bool drawn = find(view, light, sparse, error);
+	bool drawn = find(&pass, light, sparse, error);
 	gl->light = SM_NONE;
 	gl_pop_group(gl);
 	return drawn;

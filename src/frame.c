@@ -5,6 +5,7 @@
 #include "scene/camera.h"
 #include "scene/light_reach.h"
 #include "sparse_pass.h"
+#include "surface_parts.h"
 #include <float.h>
 #include <string.h>
 
@@ -106,6 +107,7 @@ static bool draw_visibility(const struct surface_pass *view, uint32_t index,
 		return true;
 	light->points = (struct points_key){0};
 	choose_light(&pass, index, light);
+	pass.first = index == view->lead;
 	pass.cells = pass.found = NULL;
 	bool drawn = light->sampling == SM_SAMPLING_SPARSE
 			     ? sparse_pass_draw(&pass, light, error)
@@ -268,7 +270,7 @@ static bool draw_lights(struct surface_pass *pass, uint32_t first, uint32_t last
 	pass->multisampled = samples > 1;
 	if (!draw_shadows(pass, first, last, error))
 		return false;
-	surface_pass_find_ways(pass);
+	surface_parts_find_ways(pass);
 	gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 	gl->Viewport(0, 0, (GLsizei)pass->width, (GLsizei)pass->height);
 	if (pass->flags & FLAG_VISIBILITY && renderer->shadows.technique->show != NULL)

@@ -21,8 +21,7 @@ bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[3], float 
 	return true;
 }
 
-static void mark_box(
-	struct screen_grid *cells, mat4 to_clip, const struct cluster *box, float slack)
+void mark_box(struct screen_grid *cells, mat4 to_clip, const struct cluster *box, float slack)
 {
 	static const uint8_t sides[4][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
 	float min[3], max[3];

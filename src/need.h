@@ -51,4 +51,7 @@ enum need need_of_box(const struct need_map *map, mat4 to_light_clip, const stru
 /** The extent in NDC that a box has; false if it reaches behind the eye. */
 bool box_on_screen(mat4 to_clip, const struct cluster *box, float min[3], float max[3]);
 
+/** Marks the cells that a box may be over, and all within `slack` cells of it. */
+void mark_box(struct screen_grid *cells, mat4 to_clip, const struct cluster *box, float slack);
+
 #endif

@@ -36,22 +36,37 @@ static void find_tolerance(const struct surface_pass *view, float tolerance[2])
 	tolerance[1] = -step;
 }
 
-bool sparse_pass_bind_points(const struct surface_pass *view, struct sm_error *error)
+bool sparse_pass_begin_points(const struct surface_pass *view, struct sm_error *error)
 {
+	static const GLuint nothing[4] = {0, 0, 0, 0}; /* narrow */
+	struct gl *gl = &view->renderer->gpu.gl;
 	uint32_t columns = (view->width + SPARSE_SPACING - 1) / SPARSE_SPACING + 3;
 	uint32_t rows = (view->height + SPARSE_SPACING - 1) / SPARSE_SPACING + 3;
-	return picture_resize(&view->renderer->points, &view->renderer->gpu.gl, STORAGE_POINTS,
-		columns, rows, GL_RG32UI, error);
+	if (!picture_resize(
+		    &view->renderer->points, gl, STORAGE_POINTS, columns, rows, GL_RG32UI, error))
+		return false;
+	gl->Disable(GL_BLEND);
+	gl->ClearBufferuiv(GL_COLOR, 0, nothing);
+	return true;
+}
+
+struct pixel_box sparse_pass_points_in(const struct pixel_box *pixels)
+{
+	return (struct pixel_box){
+		.left = pixels->left / SPARSE_SPACING + 1,
+		.bottom = pixels->bottom / SPARSE_SPACING + 1,
+		.right = (pixels->right - 1) / SPARSE_SPACING + 3,
+		.top = (pixels->top - 1) / SPARSE_SPACING + 3,
+	};
 }
 
 static bool draw_points(const struct surface_pass *view, struct sm_error *error)
 {
-	static const GLuint nothing[4] = {0, 0, 0, 0}; /* narrow */
 	const struct picture *points = &view->renderer->points;
 	struct gl *gl = &view->renderer->gpu.gl;
 	struct surface_pass pass = *view;
 	mat4 wide;
-	if (!sparse_pass_bind_points(view, error))
+	if (!sparse_pass_begin_points(view, error))
 		return false;
 	pass.width = points->width;
 	pass.height = points->height;
@@ -64,8 +79,6 @@ static bool draw_points(const struct surface_pass *view, struct sm_error *error)
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	gl->DepthMask(GL_TRUE);
-	gl->Disable(GL_BLEND);
-	gl->ClearBufferuiv(GL_COLOR, 0, nothing);
 	gl->ClearBufferfv(GL_DEPTH, 0, &(GLfloat){1.0f});
 	return surface_pass_draw(&pass, error);
 }

@@ -2,6 +2,7 @@
 #ifndef SPARSE_PASS_H
 #define SPARSE_PASS_H
 
+#include "geom/screen_parts.h"
 #include "surface_pass.h"
 
 /** Pixels from one point of a sparse picture of a light's visibility to the next. */
@@ -15,8 +16,12 @@
 bool sparse_pass_draw(
 	const struct surface_pass *view, struct shadowed_light *light, struct sm_error *error);
 
-/** The picture that a light's visibility at points is drawn into, and to be joined from. */
-bool sparse_pass_bind_points(const struct surface_pass *view, struct sm_error *error);
+/** Begins the picture that a light's visibility at points is drawn into, and to be joined from: no
+ *  cell has a corner where nothing is drawn. */
+bool sparse_pass_begin_points(const struct surface_pass *view, struct sm_error *error);
+
+/** The points at the corners of all cells that pixels in a box of the view are in. */
+struct pixel_box sparse_pass_points_in(const struct pixel_box *pixels);
 
 /** Joins points to cells, of which the picture is made that size. */
 bool sparse_pass_join(

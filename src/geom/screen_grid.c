@@ -19,6 +19,24 @@ void screen_grid_unite(struct screen_grid *grid, const struct screen_grid *other
 		grid->rows[row] |= other->rows[row];
 }
 
+void screen_grid_cut(struct screen_grid *grid, const struct screen_grid *other)
+{
+	for (int row = 0; row < SCREEN_GRID_SIZE; row++)
+		grid->rows[row] &= other->rows[row];
+}
+
+void screen_grid_widen(struct screen_grid *grid)
+{
+	uint64_t below = 0;
+	for (int row = 0; row < SCREEN_GRID_SIZE; row++) {
+		uint64_t here = grid->rows[row];
+		uint64_t above = row + 1 < SCREEN_GRID_SIZE ? grid->rows[row + 1] : 0;
+		uint64_t all = below | here | above;
+		grid->rows[row] = all | all << 1 | all >> 1;
+		below = here;
+	}
+}
+
 static uint64_t bits_between(int first, int last)
 {
 	return ~(uint64_t)0 >> (SCREEN_GRID_SIZE - 1 - last) & ~(uint64_t)0 << first;

@@ -19,6 +19,12 @@ void screen_grid_fill(struct screen_grid *grid);
 /** Marks all that is marked in another. */
 void screen_grid_unite(struct screen_grid *grid, const struct screen_grid *other);
 
+/** Marks no more than is marked in another, too. */
+void screen_grid_cut(struct screen_grid *grid, const struct screen_grid *other);
+
+/** Marks the cells around all that are marked. */
+void screen_grid_widen(struct screen_grid *grid);
+
 /**
  * Marks the convex hull of points, and all within `slack` cells of it.
  * edges: [edge_count <= 12] pairs of indices into points, among which are the hull's own edges. A

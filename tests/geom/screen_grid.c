@@ -370,6 +370,40 @@ static void runs_end_where_cells_change(void **state)
 	}
 }
 
+static bool is_around(const struct screen_grid *grid, int x, int row)
+{
+	for (int j = row - 1; j <= row + 1; j++)
+		for (int i = x - 1; i <= x + 1; i++)
+			if (i >= 0 && i < SIZE && j >= 0 && j < SIZE && screen_grid_has(grid, i, j))
+				return true;
+	return false;
+}
+
+static void cells_around_are_marked(void **state)
+{
+	(void)state;
+	uint64_t random = 37;
+	for (uint32_t one_in = 1; one_in <= 4096; one_in *= 4) {
+		struct screen_grid grid = random_grid(&random, one_in), wide = grid;
+		screen_grid_widen(&wide);
+		for (int row = 0; row < SIZE; row++)
+			for (int x = 0; x < SIZE; x++)
+				assert_true(
+					screen_grid_has(&wide, x, row) == is_around(&grid, x, row));
+	}
+}
+
+static void what_both_have_is_left(void **state)
+{
+	(void)state;
+	uint64_t random = 41;
+	struct screen_grid a = random_grid(&random, 2), b = random_grid(&random, 3), both = a;
+	screen_grid_cut(&both, &b);
+	for (int row = 0; row < SIZE; row++)
+		assert_true(both.rows[row] == (a.rows[row] & b.rows[row]));
+	assert_in_range(screen_grid_count(&both), SIZE * SIZE / 9, SIZE * SIZE / 4);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -382,6 +416,8 @@ int main(void)
 		cmocka_unit_test(rectangles_touch_marked_cells),
 		cmocka_unit_test(rectangles_without_bounds_touch_all),
 		cmocka_unit_test(runs_end_where_cells_change),
+		cmocka_unit_test(cells_around_are_marked),
+		cmocka_unit_test(what_both_have_is_left),
 	};
 	return cmocka_run_group_tests_name("screen_grid", tests, NULL, NULL);
 }

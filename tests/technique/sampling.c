@@ -377,6 +377,105 @@ static void assert_alike(const uint8_t *a, const uint8_t *b, const char *what)
 	assert_true(sum < 0.1 && off < 4 * WIDTH * HEIGHT / 1000);
 }
 
+/* Plates beside and before each other and a ground, of which a small part is in a penumbra. */
+static void fill_with_plates(struct rig *rig)
+{
+	uint32_t cube = parts_add_cube(rig->scene), square = parts_add_square(rig->scene);
+	for (int i = 0; i < 5; i++)
+		parts_add_object(rig->scene, cube, PART_CASTS,
+			&(struct pose){{0.2f, 0.05f, 0.2f}, 25.0f * (float)i,
+				{0.6f * (float)(i % 3) - 0.6f, 0.9f,
+					0.7f * (float)(i / 3) - 0.3f}});
+	for (int i = 0; i < 100; i++)
+		parts_add_object(rig->scene, square, PART_RECEIVES,
+			&(struct pose){{0.07f, 1, 0.07f}, 11.0f * (float)i,
+				{0.2f * (float)(i % 10) - 0.9f, 0.03f * (float)(i % 7),
+					0.2f * (float)(i / 10) - 0.9f}});
+}
+
+static void add_ground(struct rig *rig)
+{
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){{4, 1, 4}, 0, {0, -0.1f, 0}});
+}
+
+#define PLACES 8
+
+/* From one of the places around the scene. */
+static uint8_t *draw_from(
+	struct rig *rig, enum sm_sampling sampling, const struct canvas *canvas, int place)
+{
+	struct sm_view view = {.camera = aside,
+		.width = WIDTH,
+		.height = HEIGHT,
+		.visibility_of = SM_NONE,
+		.framebuffer = canvas->framebuffer};
+	float turn = 6.2831853f / PLACES * (float)place;
+	view.camera.eye[0] = 2.4f * cosf(turn);
+	view.camera.eye[2] = 2.4f * sinf(turn);
+	rig_draw(rig, rig->scene, &view);
+	assert_int_equal(lights_of(rig, sampling), 2);
+	return canvas_read(canvas);
+}
+
+/* Passes before surfaces leave out what surfaces do not look up: there is what other views, or
+ * other lights, have left there. */
+static void check_left_out(struct rig *rig, enum sm_sampling sampling, GLsizei samples)
+{
+	struct sm_light_desc narrow[2] = {lamp, sun};
+	struct canvas canvas;
+	uint8_t *first[PLACES];
+	narrow[0].radius = narrow[1].radius = 0.03f;
+	for (uint32_t light = 0; light < 2; light++)
+		assert_true(sm_scene_set_light(rig->scene, light, &narrow[light], NULL));
+	canvas_init_multisampled(&canvas, GL_SRGB8_ALPHA8, WIDTH, HEIGHT, samples);
+	for (int place = 0; place < PLACES; place++) {
+		rig_use_path(rig, "branch=early-depth");
+		use(rig, SM_SAMPLING_DENSE);
+		uint8_t *dense = draw_from(rig, SM_SAMPLING_DENSE, &canvas, place);
+		use(rig, sampling);
+		first[place] = draw_from(rig, sampling, &canvas, place);
+		if (samples == 1)
+			assert_alike(dense, first[place], "place");
+		free(dense);
+	}
+	for (int place = 0; place < PLACES; place++) {
+		uint8_t *again = draw_from(rig, sampling, &canvas, place);
+		assert_memory_equal(first[place], again, (size_t)4 * WIDTH * HEIGHT);
+		free(again);
+	}
+	for (uint32_t light = 0; light < 2; light++)
+		assert_true(sm_scene_set_light(rig->scene, light, &narrow[1 - light], NULL));
+	for (int place = 0; place < PLACES; place++) {
+		uint8_t *other = draw_from(rig, sampling, &canvas, place);
+		/* Each light is rounded when it is added. */
+		/* Each light is rounded when it is added, and of several samples those along a
+		 * tile's side may be drawn with the next tile. */
+		size_t off = 0;
+		for (size_t i = 0; i < (size_t)4 * WIDTH * HEIGHT; i++)
+			off += abs(other[i] - first[place][i]) > 2;
+		assert_in_range(off, 0, samples > 1 ? 16 : 0);
+		free(other);
+		free(first[place]);
+	}
+	canvas_finish(&canvas);
+}
+
+static void what_is_left_out_is_not_looked_up(void **state)
+{
+	struct rig *rig = *state;
+	static const enum sm_sampling deferred[] = {
+		SM_SAMPLING_DEFERRED, SM_SAMPLING_DEFERRED_SPARSE};
+	fill_with_plates(rig);
+	parts_add_light(rig->scene, &lamp);
+	parts_add_light(rig->scene, &sun);
+	for (size_t i = 0; i < 8; i++) {
+		if (i == 4)
+			add_ground(rig);
+		check_left_out(rig, deferred[i % 2], i / 2 % 2 ? 4 : 1);
+	}
+}
+
 static void several_lights_add_up(void **state)
 {
 	struct rig *rig = *state;
@@ -460,6 +559,7 @@ int main(void)
 		rig_test(pictures_may_be_of_any_size),
 		rig_test(a_picture_alone_is_sampled_by_itself),
 		rig_test(a_point_has_nothing_between),
+		rig_test(what_is_left_out_is_not_looked_up),
 		rig_test(several_lights_add_up),
 		rig_test(either_way_of_branching_looks_the_same),
 		rig_test(constants_from_vertices_look_the_same),
