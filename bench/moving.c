@@ -45,7 +45,7 @@ static void begin_pass(void *data, const char *pass)
 {
 	struct contender *contender = data;
 	/* The first ones of a view, however it is sampled. */
-	bool of_view = strcmp(pass, "surfaces") == 0 || strcmp(pass, "receivers") == 0 ||
+	bool of_view = strcmp(pass, "surfaces") == 0 || strcmp(pass, "parts") == 0 ||
 		       strcmp(pass, "points") == 0;
 	if (of_view && contender->ready == 0.0)
 		contender->ready = now_ms();

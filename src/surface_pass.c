@@ -229,6 +229,7 @@ bool surface_pass_mark(struct surface_pass *pass, struct screen_grid *cells, str
 	const struct draw_order *order = &pass->renderer->order;
 	bool marked = true;
 	screen_grid_clear(cells);
+	gl_push_group(&pass->renderer->gpu.gl, "parts");
 	map_needs(pass);
 	for (size_t i = 0; i < order->count && marked; i++) {
 		const struct object *object = order->items[i].object;
@@ -242,6 +243,7 @@ bool surface_pass_mark(struct surface_pass *pass, struct screen_grid *cells, str
 	/* Samples look at the pixels around. */
 	if (pass->multisampled)
 		screen_grid_widen(cells);
+	gl_pop_group(&pass->renderer->gpu.gl);
 	return marked;
 }
 

@@ -33,6 +33,7 @@ struct gather {
 	struct depth_map hard; /* of a light that is a point; made when there is one */
 	bool point;
 	int sheets;              /* in line, in the last frame */
+	double search_ms;        /* that edges took of a processor, likewise */
 	bool sparse, long_lists; /* chosen by itself, in the last frame */
 	enum sm_sampling sampling;
 	float depth_noise;
@@ -207,9 +208,12 @@ struct edge_search {
 	const struct sm_scene *scene;
 	const struct light_frame *frame;
 	struct edge_grid_options options;
-	bool found;
-	double ms; /* that it took of a processor */
+	bool aside, found;
 };
+
+/* Of a processor, ms, from which on a search is worth another thread: to wake one, and to have
+ * lists come from another processor's caches, takes .7 ms. */
+#define ASIDE_MS 2.0
 
 static void find_edges(void *data, unsigned part)
 {
@@ -218,21 +222,24 @@ static void find_edges(void *data, unsigned part)
 	(void)part;
 	search->found = edge_grid_find(
 		&search->gather->grid, search->scene, search->frame, &search->options);
-	search->ms = processor_ms() - start;
+	search->gather->search_ms = processor_ms() - start;
 }
 
-static bool finish_edges(const struct edge_search *search, struct gpu *gpu, struct sm_error *error)
+static bool finish_edges(struct edge_search *search, struct gpu *gpu, struct sm_error *error)
 {
 	struct gather *gather = search->gather;
 	gl_push_group(&gpu->gl, "silhouettes");
-	workers_wait(&gpu->workers);
+	if (search->aside)
+		workers_wait(&gpu->workers);
+	else
+		find_edges(search, 0);
 	double start = processor_ms();
 	if (search->found) {
 		mark_soft(gather);
 		count_edges(gather, &gpu->stats);
 		skip_count(&gpu->skips, SKIP_STATIC, gather->grid.keep.caster_count,
 			gather->grid.keep.kept_count);
-		gpu->stats.silhouette_ms += search->ms + processor_ms() - start;
+		gpu->stats.silhouette_ms += gather->search_ms + processor_ms() - start;
 		gpu->gl.ActiveTexture(GL_TEXTURE0);
 		upload_tiles(gather, gpu);
 		gpu->stats.uploaded_bytes += upload_edges(gather, &gpu->gl) +
@@ -279,17 +286,18 @@ static bool draw_layers(struct gather *gather, struct gpu *gpu, const struct sm_
 }
 
 /* Edges tell how many layers there are, but it takes a processor a while to find them: as many as
- * the last frame had are drawn meanwhile, or, by the same thread, before. */
+ * the last frame had are drawn meanwhile, or before, so that a driver has something to do. */
 static bool draw_sheets(struct gather *gather, struct gpu *gpu, const struct sm_scene *scene,
 	const struct light_frame *frame, struct sm_error *error)
 {
-	struct edge_search search = {
-		gather, scene, frame, grid_options(gather, scene, frame), .found = false};
+	struct edge_search search = {gather, scene, frame, grid_options(gather, scene, frame),
+		.aside = gather->search_ms >= ASIDE_MS};
 	const struct screen_box none = screen_box_none();
 	if (!edge_grid_look(&gather->grid, scene, frame, &search.options))
 		return error_no_memory(error);
 	gather->sheets = gather->sheets > 0 ? gather->sheets : 1;
-	workers_begin(&gpu->workers, 1, find_edges, &search);
+	if (search.aside)
+		workers_begin(&gpu->workers, 1, find_edges, &search);
 	bool drawn = draw_layers(gather, gpu, scene, frame, &gather->grid.keep.changed, error);
 	if (!finish_edges(&search, gpu, error) || !drawn)
 		return false;
