@@ -406,7 +406,8 @@ SM_API bool sm_renderer_set_skips(
 /** How many threads, the calling one among them, search meshes of 200,000 triangles and more for
  * the silhouettes of fins: up to 8; 0, as it is to begin with, for one a processor. With two or
  * more, `gather` finds edges on another while the calling one draws, where that takes long. They
- * start when first there is work for them, and sleep between. The picture is the same with any number. */
+ * start when first there is work for them, and sleep between. The picture is the same with any
+ * number. */
 SM_API void sm_renderer_set_threads(struct sm_renderer *renderer, uint32_t count);
 
 /** Since the renderer was created. While a skip is off nothing is counted. */

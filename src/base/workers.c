@@ -85,19 +85,25 @@ unsigned workers_share(struct workers *workers)
 	return workers->count;
 }
 
-void workers_begin(struct workers *workers, unsigned parts, void (*work)(void *data, unsigned part),
-	void *data)
+static void set_work(struct workers *workers, unsigned parts,
+	void (*work)(void *data, unsigned part), void *data)
 {
-	bool alone = workers_share(workers) == 1;
-	if (!alone)
-		pthread_mutex_lock(&workers->mutex);
 	workers->work = work;
 	workers->data = data;
 	workers->next = 0;
 	workers->parts = workers->left = parts;
 	workers->round++;
-	if (alone)
+}
+
+void workers_begin(struct workers *workers, unsigned parts, void (*work)(void *data, unsigned part),
+	void *data)
+{
+	if (workers_share(workers) == 1) {
+		set_work(workers, parts, work, data);
 		return;
+	}
+	pthread_mutex_lock(&workers->mutex);
+	set_work(workers, parts, work, data);
 	if (parts == 1)
 		pthread_cond_signal(&workers->begun);
 	else
