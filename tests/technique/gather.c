@@ -213,6 +213,32 @@ static void too_many_edges_are_left_out(void **state)
 	visibility_finish(&seen);
 }
 
+/* Blocks whose edges take longer to list, each for most tiles, than to draw. */
+static void edges_are_the_same_whoever_finds_them(void **state)
+{
+	struct rig *rig = *state;
+	struct sm_light_desc wide = lamp;
+	wide.radius = 3;
+	uint32_t cube = parts_add_cube(rig->scene);
+	for (int i = 0; i < 400; i++)
+		parts_add_object(rig->scene, cube, PART_CASTS,
+			&(struct pose){{0.02f, 0.02f, 0.02f}, 7.0f * (float)i,
+				{0.06f * (float)(i % 20) - 1, 0.6f, 0.06f * (float)(i / 20) - 1}});
+	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
+		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
+	parts_add_light(rig->scene, &wide);
+	rig_skip_nothing(rig);
+	sm_renderer_set_threads(rig->renderer, 1);
+	struct visibility alone = draw(rig, "gather", 512), aside;
+	sm_renderer_set_threads(rig->renderer, 2);
+	for (int frame = 0; frame < 5; frame++) {
+		visibility_draw(&aside, rig, rig->scene, &overhead, SIZE, SIZE);
+		assert_same(&alone, &aside);
+		visibility_finish(&aside);
+	}
+	visibility_finish(&alone);
+}
+
 static void assert_dark_strip(struct rig *rig, const struct strip_profile *profile)
 {
 	strip_add(rig->scene, profile);
@@ -257,6 +283,7 @@ int main(void)
 		rig_test(a_bent_sheets_edge_is_its_own),
 		rig_test(a_falling_sheets_edge_is_its_own),
 		rig_test(too_many_edges_are_left_out),
+		rig_test(edges_are_the_same_whoever_finds_them),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
