@@ -1,6 +1,5 @@
 // Where a receiver lies on the light's screen, and how its own plane slopes there.
 uniform sampler2DShadow depth_compare;
-uniform float lookup_reach; // how far from a surface its texels' centres lie, window x or y
 
 // Whether it makes a difference how much of the light is seen: a technique need not find it else.
 bool light_arrives = true;
@@ -28,23 +27,4 @@ vec2 receiver_slope(vec3 s)
 	float limit = (bias_limit.x + bias_limit.y * s.z) * map_size.x;
 	float rise = abs(slope.x) + abs(slope.y);
 	return slope * min(1.0 / max(abs(area), 1e-30), limit / max(rise, 1e-30));
-}
-
-// The depth to compare at texels up to `reach` (window x or y) from s: in front of all that the
-// receiver's own plane may have left there. One depth for all of them: following the plane from
-// texel to texel would be nearer to a flat receiver, but takes the next facet of a curved one for a
-// blocker. Given the slope, it is not clamped: the plane may be followed from there.
-float receiver_depth(vec3 s, vec2 slope, float reach)
-{
-	return s.z - DEPTH_STEP - (abs(slope.x) + abs(slope.y)) * reach;
-}
-
-float receiver_depth(vec3 s, float reach)
-{
-	return clamp(receiver_depth(s, receiver_slope(s), reach), 0.0, 1.0);
-}
-
-float receiver_depth(vec3 s)
-{
-	return receiver_depth(s, lookup_reach);
 }

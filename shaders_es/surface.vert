@@ -43,8 +43,10 @@ void main()
 #ifdef COARSE
 	clip_place = gl_Position.xyw;
 #endif
-#ifdef HANDS_ON
-	hand_on();
+#if defined(HANDS_ON_EDGES)
+	hand_on_edges();
+#elif defined(HANDS_ON_SCREEN)
+	hand_on_screen(vec2(lookup_reach, 0.0));
 #endif
 #ifdef HANDS_ON_SURFACE
 	hand_on_surface();

@@ -106,7 +106,7 @@ static uint64_t object_flags(const struct surface_pass *pass, const struct objec
 static bool use_program(struct surface_pass *pass, uint64_t flags, struct sm_error *error)
 {
 	struct gpu *gpu = &pass->renderer->gpu;
-	if (gpu->flat_inputs && flags & FLAT_SURFACE_FLAGS)
+	if (gpu->flat_inputs)
 		flags |= FLAG_FLAT_INPUTS;
 	if (pass->program != NULL && pass->program->key.flags == flags)
 		return true;

@@ -21,7 +21,7 @@ struct gpu {
 	size_t quad_capacity;
 	GLuint stored_sampler; /* reads sRGB texels as they are stored; made on first use */
 	uint32_t raster_bits;  /* see raster_grid.h; 0 until it is asked for */
-	bool flat_inputs;      /* surfaces that may have them do */
+	bool flat_inputs;      /* surfaces have them */
 	struct sm_frame_stats stats;
 	struct skips skips;
 	struct workers workers; /* share the search of large meshes, or find edges aside */

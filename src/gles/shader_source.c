@@ -75,7 +75,8 @@ static const struct {
 #define TAP_FLAGS (FLAG_SMOOTHIE | FLAG_TWO_SIDED | FLAG_BICUBIC)
 #define COMPARE_FLAGS (FLAG_HARD | FLAG_PCSS | FLAG_MAPS)
 
-/* Surfaces that read of a light what gather does. */
+/* Surfaces that read where they are on a light's screen; and what gather does besides. */
+#define SCREEN_FLAGS (SHADOW_FLAGS | FLAG_RECEIVERS)
 #define GATHER_FLAGS (FLAG_EDGES | FLAG_RECEIVERS)
 
 /* In which form plain depths are read. */
@@ -97,7 +98,7 @@ static const struct {
 	const char *name;
 	uint64_t flags;      /* that mean something */
 	const char *defines; /* in all variants; may be NULL */
-	struct part parts[2][33];
+	struct part parts[2][34];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -178,8 +179,9 @@ static const struct {
 			.parts =
 				{
 					{
-						{"shadow_screen.glsl", GATHER_FLAGS},
+						{"shadow_screen.glsl", SCREEN_FLAGS},
 						{"gather_uniforms.glsl", GATHER_FLAGS},
+						{"screen_flat_out.glsl", SCREEN_FLAGS},
 						{"gather_flat_out.glsl", GATHER_FLAGS},
 						{"surface_uniforms.glsl", FLAG_FLAT_INPUTS},
 						{"surface_flat_out.glsl", FLAG_FLAT_INPUTS},
@@ -191,16 +193,15 @@ static const struct {
 							FLAG_SMOOTHIE | FLAG_VSM | FLAG_DEPTH_HALF},
 						{"common_plain_depth.glsl",
 							TAP_FLAGS | COMPARE_FLAGS},
-						{"common_depth_step.glsl",
-							SHADOW_FLAGS | FLAG_RECEIVERS},
-						{"shadow_screen.glsl", SHADOW_FLAGS, GATHER_FLAGS},
-						{"shadow_screen.glsl", GATHER_FLAGS,
+						{"common_depth_step.glsl", SCREEN_FLAGS},
+						{"shadow_screen.glsl", SCREEN_FLAGS,
 							FLAG_FLAT_INPUTS},
 						{"gather_uniforms.glsl", GATHER_FLAGS,
 							FLAG_FLAT_INPUTS},
+						{"screen_flat_in.glsl", SCREEN_FLAGS},
 						{"gather_flat_in.glsl", GATHER_FLAGS},
-						{"shadow_receiver.glsl",
-							SHADOW_FLAGS | FLAG_RECEIVERS},
+						{"shadow_receiver.glsl", SCREEN_FLAGS},
+						{"shadow_depth.glsl", SHADOW_FLAGS, GATHER_FLAGS},
 						{"shadow_taps.glsl", TAP_FLAGS | COMPARE_FLAGS},
 						{"shadow_compare.glsl", FLAG_HARD | FLAG_PCSS},
 						{"shadow_hard.glsl", FLAG_HARD},
@@ -239,10 +240,11 @@ static const struct {
 			.parts =
 				{
 					{{"shadow_screen.glsl"}, {"gather_uniforms.glsl"},
-						{"gather_flat_out.glsl"}, {"copy.vert"}},
+						{"screen_flat_out.glsl"}, {"gather_flat_out.glsl"},
+						{"copy.vert"}},
 					{{"sparse_cell.glsl", FLAG_CELLS},
 						{"sparse_between.glsl", FLAG_CELLS},
-						{"gather_flat_in.glsl"},
+						{"screen_flat_in.glsl"}, {"gather_flat_in.glsl"},
 						{"deferred_receivers.glsl"},
 						{"deferred_known.frag"}},
 				},
@@ -255,11 +257,12 @@ static const struct {
 			.parts =
 				{
 					{{"shadow_screen.glsl"}, {"gather_uniforms.glsl"},
-						{"gather_flat_out.glsl"}, {"copy.vert"}},
-					{{"common_depth_step.glsl"}, {"gather_flat_in.glsl"},
-						{"shadow_receiver.glsl"}, {"gather_sheet.glsl"},
-						{"gather_disc.glsl"}, {"shadow_gather.glsl"},
-						{"deferred_receivers.glsl"},
+						{"screen_flat_out.glsl"}, {"gather_flat_out.glsl"},
+						{"copy.vert"}},
+					{{"common_depth_step.glsl"}, {"screen_flat_in.glsl"},
+						{"gather_flat_in.glsl"}, {"shadow_receiver.glsl"},
+						{"gather_sheet.glsl"}, {"gather_disc.glsl"},
+						{"shadow_gather.glsl"}, {"deferred_receivers.glsl"},
 						{"deferred_find.frag"}},
 				},
 		},
@@ -386,7 +389,6 @@ static bool surface_is_complete(uint64_t flags)
 	       implies(flags, FLAG_TWO_LAYERS, FLAG_EDGES) &&
 	       implies(flags, FLAG_HOLLOWS, FLAG_EDGES) &&
 	       implies(flags, FLAG_SAMPLES, FLAG_FOUND) &&
-	       (!(flags & FLAG_FLAT_INPUTS) || flags & FLAT_SURFACE_FLAGS) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
 	       (!(flags & PLAIN_FLAGS) || reads_plainly(flags));
@@ -418,8 +420,8 @@ static bool surface_conflicts(uint64_t flags)
 	       /* Cells are a way by themselves, or come before edges. */
 	       !excludes(flags, FLAG_CELLS, SHADOW_FLAGS & ~FLAG_EDGES) ||
 	       !excludes(flags, FLAG_RECEIVERS,
-		       ~(FLAG_RECEIVERS | FLAG_LIT | FLAG_SHADOWED | FLAG_VISIBILITY |
-			       FLAG_COARSE | FLAG_FLAT_INPUTS)) ||
+		       ~(FLAG_RECEIVERS | FLAG_LIT | FLAG_SHADOWED | FLAG_VISIBILITY | FLAG_COARSE |
+			       FLAG_FLAT_INPUTS)) ||
 	       !excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) ||
 	       !excludes(flags, FLAG_BEHIND, FLAG_TWO_LAYERS | FLAG_HOLLOWS) ||
 	       !excludes(flags, FLAG_WORDS, FLAG_SEPARATE_DEPTH) ||

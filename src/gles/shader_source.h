@@ -85,9 +85,6 @@ enum program_kind {
 /** The first bit that is no flag. */
 #define FLAG_END (UINT64_C(1) << 45)
 
-/** With one of these a surface may have FLAG_FLAT_INPUTS. */
-#define FLAT_SURFACE_FLAGS (FLAG_EDGES | FLAG_RECEIVERS | FLAG_CELLS | FLAG_FOUND)
-
 struct program_key {
 	enum program_kind kind;
 	uint64_t flags;

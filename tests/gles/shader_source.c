@@ -151,24 +151,24 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	/* Whole lists or runs, on fine or coarse raster grids, behind all casters or anywhere, with
 	 * up to two layers or more, and with triangles over hollows or without. */
 	const size_t edges = 2 * 2 * (1 + 2 * 2);
-	const size_t shadows =
-		comparison + /* hard */
-		3 * taps +   /* smoothies, with no or own depth, or alpha too */
-		1 +          /* depth and alpha of smoothies at once */
-		taps +       /* two-sided smoothies */
-		taps +       /* bicubic */
-		3 * plain +  /* pcss: plain depths, and one of three comparisons */
-		comparison + /* maps */
-		2 * 2 +      /* variance maps, filtered or fetched, whole or split */
-		/* With flat inputs or uniforms: gather, for each pixel or what cells leave out, cells,
-		 * and what was found before surfaces, of one sample a pixel or more. */
-		2 * (2 * edges + 1 + 2);
+	const size_t shadows = comparison + /* hard */
+			       3 * taps +   /* smoothies, with no or own depth, or alpha too */
+			       1 +          /* depth and alpha of smoothies at once */
+			       taps +       /* two-sided smoothies */
+			       taps +       /* bicubic */
+			       3 * plain +  /* pcss: plain depths, and one of three comparisons */
+			       comparison + /* maps */
+			       2 * 2 +      /* variance maps, filtered or fetched, whole or split */
+			       /* Gather, for each pixel or what cells leave out, cells, and what
+				* was found before surfaces, of one sample a pixel or more. */
+			       2 * edges +
+			       1 + 2;
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
 	/* What was seen before has no picture of visibility; points without light or shadow, or
 	 * with each gather; receivers without light or shadow, or with one on either grid, as
-	 * visibility or not; with flat inputs or uniforms. */
-	assert_int_equal(counts[PROGRAM_SURFACE], surfaces + 2 * 2 + 2 + 2 * (edges + 4 * 2));
+	 * visibility or not. All with flat inputs or uniforms. */
+	assert_int_equal(counts[PROGRAM_SURFACE], 2 * (surfaces + 2 * 2 + 2 + edges + 4 * 2));
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
 	/* Whole lists or runs, on a fine raster grid or a coarse one, with up to two layers or
 	 * more, with triangles over hollows or without, of pixels or points. */
@@ -278,7 +278,6 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE,
 			FLAG_LIT | FLAG_SHADOWED | FLAG_EDGES | FLAG_BEHIND | FLAG_HOLLOWS},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SEEN | FLAG_SAMPLES},
-		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_FLAT_INPUTS},
 		{PROGRAM_SURFACE, FLAG_END},
 	};
 	for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++)

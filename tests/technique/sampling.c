@@ -525,28 +525,6 @@ static void either_way_of_branching_looks_the_same(void **state)
 	visibility_finish(&two);
 }
 
-/* To the bit: what vertices hand on is what uniforms hold. */
-static void constants_from_vertices_look_the_same(void **state)
-{
-	struct rig *rig = *state;
-	static const enum sm_sampling samplings[] = {SM_SAMPLING_DENSE, SM_SAMPLING_SPARSE,
-		SM_SAMPLING_DEFERRED, SM_SAMPLING_DEFERRED_SPARSE};
-	fill_scene(rig);
-	parts_add_light(rig->scene, &lamp);
-	for (size_t i = 0; i < sizeof(samplings) / sizeof(samplings[0]); i++) {
-		rig_use_path(rig, "constants=uniforms");
-		use(rig, samplings[i]);
-		uint8_t *uniforms = draw_picture(rig, GL_RGBA8, 1);
-		rig_use_path(rig, "constants=flat");
-		use(rig, samplings[i]);
-		uint8_t *flat = draw_picture(rig, GL_RGBA8, 1);
-		assert_int_equal(lights_of(rig, samplings[i]), 1);
-		assert_memory_equal(uniforms, flat, (size_t)4 * WIDTH * HEIGHT);
-		free(uniforms);
-		free(flat);
-	}
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -562,7 +540,6 @@ int main(void)
 		rig_test(what_is_left_out_is_not_looked_up),
 		rig_test(several_lights_add_up),
 		rig_test(either_way_of_branching_looks_the_same),
-		rig_test(constants_from_vertices_look_the_same),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

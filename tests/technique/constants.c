@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+/* What all pixels of a light read comes from vertices, or from uniforms: the picture is the same to
+ * the bit, whatever shadows are made by. */
+#include "canvas.h"
+#include "parts.h"
+#include "rig.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define WIDTH 203
+#define HEIGHT 151
+
+#define GATHER .technique = "gather"
+
+static const struct {
+	struct sm_shadow_options shadow;
+	GLsizei samples;
+} cases[] = {
+	{{.technique = "hard"}, 1},
+	{{.technique = "smoothie"}, 1},
+	{{.technique = "smoothie", .passes = 2, .falloff = SM_FALLOFF_SINUSOID}, 4},
+	{{.technique = "smoothie", .precision = SM_PRECISION_FIXED12}, 1},
+	{{.technique = "smoothie-two-sided"}, 1},
+	{{.technique = "penumbra-map"}, 1},
+	{{.technique = "pcf"}, 1},
+	{{.technique = "pcf", .samples = 16}, 1},
+	{{.technique = "pcss"}, 1},
+	{{.technique = "vsm"}, 1},
+	{{.technique = "maps", .samples = 4}, 1},
+	{{GATHER, .sampling = SM_SAMPLING_DENSE}, 1},
+	{{GATHER, .sampling = SM_SAMPLING_SPARSE}, 1},
+	{{GATHER, .sampling = SM_SAMPLING_DEFERRED}, 1},
+	{{GATHER, .sampling = SM_SAMPLING_DEFERRED}, 4},
+	{{GATHER, .sampling = SM_SAMPLING_DEFERRED_SPARSE}, 1},
+};
+
+/* Objects of several colours, one of them textured, some of them beyond the lights' reach, in two
+ * lights of either kind and the light of sky and ground. */
+static void fill_scene(struct sm_scene *scene)
+{
+	static const uint8_t texels[4][4] = {
+		{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {255, 255, 255, 255}};
+	static const float colors[][3] = {{1, 0.5f, 0.2f}, {0.1f, 0.6f, 0.9f}, {0.7f, 0.7f, 0.3f}};
+	uint32_t cube = parts_add_cube(scene), square = parts_add_square(scene), image, handle;
+	assert_true(sm_scene_add_image(scene, 2, 2, texels[0], &image, NULL));
+	for (size_t i = 0; i < 6; i++) {
+		struct sm_object_desc desc = {.mesh = cube,
+			.image = i == 4 ? image : SM_NONE,
+			.casts = true,
+			.receives = i != 5};
+		pose_matrix(&(struct pose){{0.3f, 0.1f, 0.2f}, 30.0f * (float)i,
+				    {0.7f * (float)(i % 3) - 1, 0.1f + 0.4f * (float)(i / 3), 0}},
+			desc.transform);
+		memcpy(desc.base_color, colors[i % 3], sizeof(colors[0]));
+		assert_true(sm_scene_add_object(scene, &desc, &handle, NULL));
+	}
+	parts_add_object(scene, parts_add_sphere(scene, 16), PART_BOTH,
+		&(struct pose){{0.3f, 0.3f, 0.3f}, 0, {-0.4f, 0.3f, 0.9f}});
+	parts_add_object(scene, square, PART_RECEIVES, &(struct pose){{40, 1, 40}, 0, {0, 0, 0}});
+	parts_add_light(scene, &(struct sm_light_desc){.position = {4, 5, 0},
+				       .radius = 0.4f,
+				       .angle = 40,
+				       .softness = 0.2f,
+				       .color = {1, 0.9f, 0.7f},
+				       .intensity = 0.8f});
+	parts_add_light(scene, &(struct sm_light_desc){.type = SM_LIGHT_DIRECTIONAL,
+				       .position = {-1, 5, 2},
+				       .radius = 0.3f,
+				       .color = {0.5f, 0.6f, 1},
+				       .intensity = 0.3f});
+	sm_scene_set_environment(scene,
+		&(struct sm_environment){.sky = {0.2f, 0.3f, 0.4f}, .ground = {0.3f, 0.2f, 0.1f}});
+}
+
+/* Light, or what of light 0 arrives. */
+static uint8_t *draw(struct rig *rig, GLsizei samples, uint32_t visibility_of)
+{
+	struct canvas canvas;
+	struct sm_view view = {.camera = {.eye = {1.2f, 2, 1.8f},
+				       .target = {-0.5f, 0.2f, 0},
+				       .up = {0, 1, 0},
+				       .fov = 60},
+		.width = WIDTH,
+		.height = HEIGHT,
+		.visibility_of = visibility_of};
+	canvas_init_multisampled(&canvas, GL_RGBA8, WIDTH, HEIGHT, samples);
+	view.framebuffer = canvas.framebuffer;
+	rig_draw(rig, rig->scene, &view);
+	uint8_t *pixels = canvas_read(&canvas);
+	canvas_finish(&canvas);
+	return pixels;
+}
+
+static void constants_from_vertices_look_the_same(void **state)
+{
+	struct rig *rig = *state;
+	static const char *const paths[2] = {"constants=uniforms", "constants=flat"};
+	fill_scene(rig->scene);
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		uint8_t *light[2], *visibility[2];
+		if (!rig_can_draw(cases[i].shadow.technique))
+			continue;
+		for (int way = 0; way < 2; way++) {
+			rig_use_path(rig, paths[way]);
+			rig_set_shadows(rig, &cases[i].shadow);
+			light[way] = draw(rig, cases[i].samples, SM_NONE);
+			visibility[way] = draw(rig, 1, 0);
+		}
+		size_t size = (size_t)4 * WIDTH * HEIGHT;
+		if (memcmp(light[0], light[1], size) != 0 ||
+			memcmp(visibility[0], visibility[1], size) != 0)
+			fail_msg("case %zu: %s", i, cases[i].shadow.technique);
+		for (int way = 0; way < 2; way++) {
+			free(light[way]);
+			free(visibility[way]);
+		}
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		rig_test(constants_from_vertices_look_the_same),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
