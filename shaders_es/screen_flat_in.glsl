@@ -7,5 +7,4 @@ flat in vec4 flat_screen, flat_depth, flat_map;
 #define screen_depth flat_depth.xyz
 #define map_size vec2(flat_map.x, 1.0 / flat_map.x)
 #define bias_limit flat_map.yz
-#define lookup_reach flat_depth.w // but for gather
 #endif

@@ -1,3 +1,7 @@
+#ifdef FLAT_INPUTS
+#define lookup_reach flat_depth.w
+#endif
+
 // The depth to compare at texels up to `reach` (window x or y) from s: in front of all that the
 // receiver's own plane may have left there. One depth for all of them: following the plane from
 // texel to texel would be nearer to a flat receiver, but takes the next facet of a curved one for a
