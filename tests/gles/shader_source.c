@@ -151,6 +151,9 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	/* Whole lists or runs, on fine or coarse raster grids, behind all casters or anywhere, with
 	 * up to two layers or more, and with triangles over hollows or without. */
 	const size_t edges = 2 * 2 * (1 + 2 * 2);
+	/* For each pixel or what cells leave out, cells, and what was found before surfaces, of one
+	 * sample a pixel or more. */
+	const size_t gathers = 2 * edges + 1 + 2;
 	const size_t shadows = comparison + /* hard */
 			       3 * taps +   /* smoothies, with no or own depth, or alpha too */
 			       1 +          /* depth and alpha of smoothies at once */
@@ -159,10 +162,7 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 			       3 * plain +  /* pcss: plain depths, and one of three comparisons */
 			       comparison + /* maps */
 			       2 * 2 +      /* variance maps, filtered or fetched, whole or split */
-			       /* Gather, for each pixel or what cells leave out, cells, and what
-				* was found before surfaces, of one sample a pixel or more. */
-			       2 * edges +
-			       1 + 2;
+			       gathers;
 	/* No light, no shadow, or one; each as visibility, or textured or not into sRGB or not. */
 	const size_t surfaces = (2 + shadows) * (1 + 2 * 2);
 	/* What was seen before has no picture of visibility; points without light or shadow, or

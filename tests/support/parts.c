@@ -138,6 +138,17 @@ uint32_t parts_add_light(struct sm_scene *scene, const struct sm_light_desc *des
 	return light;
 }
 
+void parts_add_small_blocks(struct sm_scene *scene, unsigned int roles)
+{
+	uint32_t cube = parts_add_cube(scene);
+	for (int i = 0; i < 400; i++)
+		parts_add_object(scene, cube, roles,
+			&(struct pose){{0.02f, 0.02f, 0.02f}, 7.0f * (float)i,
+				{0.06f * (float)(i % 20) - 1, 0.6f, 0.06f * (float)(i / 20) - 1}});
+	parts_add_object(scene, parts_add_square(scene), PART_RECEIVES,
+		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
+}
+
 void parts_add_shadowed_square(struct sm_scene *scene)
 {
 	uint32_t square = parts_add_square(scene);

@@ -35,6 +35,9 @@ uint32_t parts_add_object(
 /** Without an intensity: a white one of intensity 1. */
 uint32_t parts_add_light(struct sm_scene *scene, const struct sm_light_desc *desc);
 
+/** 400 blocks of these roles close to each other, above a square that receives. */
+void parts_add_small_blocks(struct sm_scene *scene, unsigned int roles);
+
 /** A square that receives, below a lesser one that casts, below a light. */
 void parts_add_shadowed_square(struct sm_scene *scene);
 

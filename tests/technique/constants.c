@@ -3,6 +3,7 @@
  * the bit, whatever shadows are made by. */
 #include "canvas.h"
 #include "parts.h"
+#include "renderer.h"
 #include "rig.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -95,6 +96,31 @@ static uint8_t *draw(struct rig *rig, GLsizei samples, uint32_t visibility_of)
 	return pixels;
 }
 
+/* Of all programs of surfaces that were used. */
+static void assert_flat(const struct sm_renderer *renderer, bool flat)
+{
+	const struct program_cache *cache = &renderer->gpu.programs;
+	size_t count = 0;
+	for (size_t i = 0; i < cache->count; i++) {
+		struct program_key key = cache->programs[i]->key;
+		if (key.kind != PROGRAM_SURFACE)
+			continue;
+		assert_int_equal((key.flags & FLAG_FLAT_INPUTS) != 0, flat);
+		count++;
+	}
+	assert_true(count > 0);
+}
+
+static void assert_sampled(const struct sm_renderer *renderer, enum sm_sampling sampling)
+{
+	struct sm_frame_stats stats;
+	sm_renderer_get_stats(renderer, &stats);
+	assert_int_equal(stats.sparse_lights > 0,
+		sampling == SM_SAMPLING_SPARSE || sampling == SM_SAMPLING_DEFERRED_SPARSE);
+	assert_int_equal(stats.deferred_lights > 0,
+		sampling == SM_SAMPLING_DEFERRED || sampling == SM_SAMPLING_DEFERRED_SPARSE);
+}
+
 static void constants_from_vertices_look_the_same(void **state)
 {
 	struct rig *rig = *state;
@@ -108,7 +134,9 @@ static void constants_from_vertices_look_the_same(void **state)
 			rig_use_path(rig, paths[way]);
 			rig_set_shadows(rig, &cases[i].shadow);
 			light[way] = draw(rig, cases[i].samples, SM_NONE);
+			assert_sampled(rig->renderer, cases[i].shadow.sampling);
 			visibility[way] = draw(rig, 1, 0);
+			assert_flat(rig->renderer, way == 1);
 		}
 		size_t size = (size_t)4 * WIDTH * HEIGHT;
 		if (memcmp(light[0], light[1], size) != 0 ||

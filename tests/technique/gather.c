@@ -219,13 +219,7 @@ static void edges_are_the_same_whoever_finds_them(void **state)
 	struct rig *rig = *state;
 	struct sm_light_desc wide = lamp;
 	wide.radius = 3;
-	uint32_t cube = parts_add_cube(rig->scene);
-	for (int i = 0; i < 400; i++)
-		parts_add_object(rig->scene, cube, PART_CASTS,
-			&(struct pose){{0.02f, 0.02f, 0.02f}, 7.0f * (float)i,
-				{0.06f * (float)(i % 20) - 1, 0.6f, 0.06f * (float)(i / 20) - 1}});
-	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
-		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
+	parts_add_small_blocks(rig->scene, PART_CASTS);
 	parts_add_light(rig->scene, &wide);
 	rig_skip_nothing(rig);
 	sm_renderer_set_threads(rig->renderer, 1);

@@ -193,18 +193,6 @@ static void many_small_triangles_are_deferred(void **state)
 	visibility_finish(&large);
 }
 
-/* Many blocks, each before a wide part of the ground. */
-static void fill_densely(struct rig *rig)
-{
-	uint32_t cube = parts_add_cube(rig->scene);
-	for (int i = 0; i < 400; i++)
-		parts_add_object(rig->scene, cube, PART_BOTH,
-			&(struct pose){{0.02f, 0.02f, 0.02f}, 7.0f * (float)i,
-				{0.06f * (float)(i % 20) - 1, 0.6f, 0.06f * (float)(i / 20) - 1}});
-	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
-		&(struct pose){{4, 1, 4}, 0, {0, 0, 0}});
-}
-
 static void set_radius(struct rig *rig, float radius)
 {
 	struct sm_light_desc light = lamp;
@@ -216,7 +204,7 @@ static void set_radius(struct rig *rig, float radius)
 static void long_lists_are_deferred(void **state)
 {
 	struct rig *rig = *state;
-	fill_densely(rig);
+	parts_add_small_blocks(rig->scene, PART_BOTH);
 	parts_add_light(rig->scene, &lamp);
 	set_radius(rig, 0.05f);
 	struct visibility brief = draw(rig, SM_SAMPLING_DEFAULT, WIDTH, HEIGHT);
