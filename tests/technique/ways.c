@@ -278,13 +278,13 @@ static int load_places(void **state)
 	size_t builtin_count = 0;
 	while (builtin_name(builtin_count) != NULL)
 		builtin_count++;
-	for (size_t i = 0; i < builtin_count; i += PLACES_STEP) {
+	for (size_t i = 0; i < builtin_count; i += SCENES_STEP) {
 		char source[64];
 		snprintf(source, sizeof(source), "builtin:%s", builtin_name(i));
 		add_place(source, builtin_name(i));
 	}
 	if (glob(SMOOTHIE_SHARED "/models/*.glb", 0, NULL, &files) == 0) {
-		for (size_t i = 0; i < files.gl_pathc; i += PLACES_STEP)
+		for (size_t i = 0; i < files.gl_pathc; i += SCENES_STEP)
 			add_place(files.gl_pathv[i], strrchr(files.gl_pathv[i], '/') + 1);
 		globfree(&files);
 	}
