@@ -5,6 +5,8 @@
 flat out vec4 flat_screen, flat_depth, flat_map;
 
 #define HANDS_ON_SCREEN
+uniform float near_to_far; // see common_light_depth.glsl
+
 // own: what else the technique reads, for which there is room.
 void hand_on_screen(vec2 own)
 {

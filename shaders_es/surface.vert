@@ -46,7 +46,7 @@ void main()
 #if defined(HANDS_ON_EDGES)
 	hand_on_edges();
 #elif defined(HANDS_ON_SCREEN)
-	hand_on_screen(vec2(lookup_reach, 0.0));
+	hand_on_screen(vec2(lookup_reach, near_to_far));
 #endif
 #ifdef HANDS_ON_SURFACE
 	hand_on_surface();

@@ -189,6 +189,8 @@ static const struct {
 					},
 					{
 						{"common_srgb.glsl", FLAG_ENCODE_SRGB},
+						{"screen_flat_in.glsl", SCREEN_FLAGS},
+						{"gather_flat_in.glsl", GATHER_FLAGS},
 						{"common_light_depth.glsl",
 							FLAG_SMOOTHIE | FLAG_VSM | FLAG_DEPTH_HALF},
 						{"common_plain_depth.glsl",
@@ -198,8 +200,6 @@ static const struct {
 							FLAG_FLAT_INPUTS},
 						{"gather_uniforms.glsl", GATHER_FLAGS,
 							FLAG_FLAT_INPUTS},
-						{"screen_flat_in.glsl", SCREEN_FLAGS},
-						{"gather_flat_in.glsl", GATHER_FLAGS},
 						{"shadow_receiver.glsl", SCREEN_FLAGS},
 						{"shadow_depth.glsl", SHADOW_FLAGS, GATHER_FLAGS},
 						{"shadow_taps.glsl", TAP_FLAGS | COMPARE_FLAGS},
