@@ -48,7 +48,7 @@ enum sm_status {
 /** One line for a person, without a newline: place, cause, what to do. */
 struct sm_error {
 	enum sm_status status;
-	char text[500];
+	char text[600];
 };
 
 /* ---------------------------------------------------------------------------------------------

@@ -31,8 +31,10 @@ float read_value(int i)
 		return textureGather(moment_map, vec2(0.5))[i - 9];
 	if (i < 17)
 		return textureGather(depth_compare, vec2(0.5), 0.5)[i - 13];
-	if (i < 19)
-		return unpackHalf2x16(uint(textureGather(smoothie_words, vec2(0.5)).w))[i - 17];
+	if (i < 21) {
+		ivec2 words = textureGather(smoothie_words, vec2(0.5)).wz;
+		return unpackHalf2x16(uint(words[i - 17 >> 1]))[i - 17 & 1];
+	}
 #endif
 	return 0.0;
 }

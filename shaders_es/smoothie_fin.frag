@@ -14,19 +14,38 @@ uniform sampler2D falloff;
 #endif
 uniform float pole;
 
-// Linear depth and alpha', of which the least is kept: by blending, by this shader itself (FETCH), or
-// of alpha' alone by the depth test (ALPHA_DEPTH).
-#if defined(FETCH)
+// Linear depth and alpha', of which the least is kept: by blending, by this shader itself (FETCH; with
+// FUSED in words that have the shadow map's depth as well), or of alpha' alone by the depth test
+// (ALPHA_DEPTH).
+#if defined(FUSED)
+layout(location = 0) inout ivec4 smoothie;
+#elif defined(FETCH)
 layout(location = 0) inout vec4 smoothie;
 #elif !defined(DEPTH_ONLY) && !defined(ALPHA_DEPTH)
 layout(location = 0) out vec4 smoothie;
+#endif
+
+#ifdef FUSED
+int least_word(int word, float b, float map, float alpha)
+{
+	// Rounding may have depth 1 a little above.
+	vec2 depths = min(linear_depth(vec4(b, map, 0.0, 0.0)).xy, 1.0);
+	int fin = int(FIN_STEPS * depths.x + 0.5);
+	int behind = int(ceil(MAP_STEPS * depths.y)); // no nearer than it is
+	int root = int(min(ALPHA_STEPS * sqrt(max(alpha, 0.0)) + 0.5, ALPHA_STEPS - 1.0));
+	if (word < 0) {
+		fin = min(fin, word >> FIN_SHIFT & FIN_MASK);
+		root = min(root, word & ALPHA_MASK);
+	}
+	return FIN_WORD | fin << FIN_SHIFT | behind << ALPHA_BITS | root;
+}
 #endif
 
 void main()
 {
 	ivec2 texel = ivec2(gl_FragCoord.xy);
 	float b = gl_FragCoord.z;
-	float r = plain_depth(texelFetch(depth_map, texel, 0));
+	float map = plain_depth(texelFetch(depth_map, texel, 0)), r = map;
 #ifdef RECEIVER_MAP
 	r = min(r, plain_depth(texelFetch(receiver_map, texel, 0)));
 #endif
@@ -57,6 +76,8 @@ void main()
 #endif
 #if defined(ALPHA_DEPTH)
 	gl_FragDepth = alpha;
+#elif defined(FUSED)
+	smoothie = ivec4(least_word(smoothie.x, b, map, alpha));
 #elif defined(FETCH)
 	smoothie = min(smoothie, vec4(linear_depth(b), alpha, 1.0, 1.0));
 #else

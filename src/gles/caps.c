@@ -45,6 +45,9 @@ static const struct cap_info infos[CAP_COUNT] = {
 	[CAP_FETCH_RG16F] = {.name = "fetch_rg16f",
 		.any = HALF_TARGETS,
 		.also = CAP_BIT(SHADER_FRAMEBUFFER_FETCH)},
+	[CAP_FETCH_R32I] = {.name = "fetch_r32i",
+		.version = 31,
+		.also = CAP_BIT(SHADER_FRAMEBUFFER_FETCH)},
 	/* The halves of an RG16F texel, as one 32-bit integer. */
 	[CAP_HALF_WORDS] = {.name = "half_words",
 		.version = 31,
@@ -64,6 +67,7 @@ static const struct cap_info infos[CAP_COUNT] = {
 	 * is drawn until then and waits for all of it. */
 	[CAP_LATE_WAIT] = {.name = "late_wait"},
 	[CAP_SLOW_UNIFORMS] = {.name = "slow_uniforms"},
+	[CAP_SLOW_LOOKUPS] = {.name = "slow_lookups"},
 	[CAP_SRGB_STORED] = {.name = "srgb_stored", .any = CAP_BIT(TEXTURE_SRGB_DECODE)},
 };
 
@@ -126,7 +130,7 @@ bool caps_rule_out(struct caps *caps, enum cap cap)
 /* "-name" or "+name", `length` characters. */
 static bool override_one(struct caps *caps, const char *item, size_t length, struct sm_error *error)
 {
-	char names[600] = "";
+	char names[700] = "";
 	size_t used = 0;
 	if (length == 0 || (item[0] != '-' && item[0] != '+'))
 		return error_set(error, SM_ERROR_INPUT,
@@ -189,7 +193,7 @@ static void find_extensions(struct caps *caps, struct gl *gl)
 static void find_habits(struct caps *caps)
 {
 	static const char name[] = "llvmpipe";
-	static const enum cap habits[] = {CAP_LATE_WAIT, CAP_SLOW_UNIFORMS};
+	static const enum cap habits[] = {CAP_LATE_WAIT, CAP_SLOW_UNIFORMS, CAP_SLOW_LOOKUPS};
 	bool is_it = caps->renderer != NULL && strncmp(caps->renderer, name, strlen(name)) == 0;
 	for (size_t i = 0; i < sizeof(habits) / sizeof(habits[0]); i++)
 		if (!caps->found[habits[i]].taken)

@@ -42,6 +42,7 @@ typedef void(GL_APIENTRY *gl_texture_view)(GLuint texture, GLenum target, GLuint
 	X(BUFFERSUBDATA, BufferSubData) \
 	X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
 	X(CLEARBUFFERFV, ClearBufferfv) \
+	X(CLEARBUFFERIV, ClearBufferiv) \
 	X(CLEARBUFFERUIV, ClearBufferuiv) \
 	X(CLIENTWAITSYNC, ClientWaitSync) \
 	X(COMPILESHADER, CompileShader) \

@@ -19,8 +19,9 @@ enum reading {
 	READ_FLOAT = 8,
 	READ_GATHERED = 9,
 	READ_GATHERED_SHADOW = 13,
-	READ_WORD = 17, /* texel (0, 0), the halves of an integer */
-	READINGS = 19,
+	READ_WORD = 17,       /* texel (0, 0), the halves of an integer */
+	READ_RIGHT_WORD = 19, /* texel (1, 0) */
+	READINGS = 21,
 };
 
 /* No number here is near one of 8, 10 or 16 bits that stands for less than the format has: a
@@ -58,6 +59,8 @@ static const struct color_probe color_probes[CAP_COUNT] = {
 	[CAP_MIN_RGB10_A2] = {GL_RGB10_A2, 2, 1.0f / 1023.0f, .blended = true, .wanted = minimum},
 	[CAP_MIN_RGBA8] = {GL_RGBA8, 2, 1.0f / 255.0f, .blended = true, .wanted = minimum},
 	[CAP_FETCH_RG16F] = {GL_RG16F, 2, STEP_16F, .flags = FLAG_FETCH, .wanted = minimum},
+	[CAP_FETCH_R32I] = {GL_R32I, 2, STEP_16F, .flags = FLAG_FETCH | FLAG_FUSED,
+		.wanted = minimum},
 	[CAP_HALF_WORDS] = {GL_RG16F, 2, STEP_16F, .wanted = overwritten},
 	[CAP_RENDER_R32F] = {GL_R32F, 1, STEP_32F, .wanted = overwritten},
 	[CAP_RENDER_R16F] = {GL_R16F, 1, STEP_16F, .wanted = overwritten},
@@ -158,10 +161,16 @@ static const char *draw_depth(struct probe *probe, bool by_shader)
 	return problem;
 }
 
+static bool is_word(const struct color_probe *what)
+{
+	return what->format == GL_R32I;
+}
+
 static const char *draw_colors(struct probe *probe, const struct color_probe *what)
 {
 	struct gl *gl = &probe->gpu->gl;
 	static const GLfloat white[4] = {1.0f, 1.0f, 1.0f, 1.0f};
+	static const GLint white_word[4] = {0x3c003c00, 0, 0, 0}; /* of halves */
 	if (what->format == 0)
 		return NULL;
 	if (!target_init(&probe->colors, gl, STORAGE_PROBES, SIDE, what->format,
@@ -172,7 +181,10 @@ static const char *draw_colors(struct probe *probe, const struct color_probe *wh
 		gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 	}
 	target_bind(&probe->colors, gl);
-	gl->ClearBufferfv(GL_COLOR, 0, white);
+	if (is_word(what))
+		gl->ClearBufferiv(GL_COLOR, 0, white_word);
+	else
+		gl->ClearBufferfv(GL_COLOR, 0, white);
 	if (what->blended)
 		gl->Enable(GL_BLEND);
 	gl->BlendEquation(GL_MIN);
@@ -192,13 +204,14 @@ static GLuint upload(struct gl *gl, const struct texel_format *as, const void *t
 	return texture;
 }
 
-static void bind_all(struct probe *probe, bool stored)
+static void bind_all(struct probe *probe, bool stored, bool word)
 {
 	static const struct texel_format stored_format = {
 		GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE};
 	static const struct texel_format float_format = {GL_R32F, GL_RED, GL_FLOAT};
 	struct gpu *gpu = probe->gpu;
 	uint8_t grey[SIDE * SIDE * 4];
+	GLuint colors = word ? 0 : probe->colors.texture;
 	if (stored) {
 		memset(grey, STORED_BYTE, sizeof(grey));
 		probe->uploaded = upload(&gpu->gl, &stored_format, grey);
@@ -206,10 +219,10 @@ static void bind_all(struct probe *probe, bool stored)
 	}
 	probe->floats = upload(&gpu->gl, &float_format, floats);
 	probe->compare = gpu_create_compare_sampler(gpu, GL_LINEAR);
-	gpu_bind_texture(gpu, UNIT_BASE, probe->colors.texture);
-	gpu_bind_texture(gpu, UNIT_SMOOTHIE, stored ? probe->uploaded : probe->colors.texture);
+	gpu_bind_texture(gpu, UNIT_BASE, colors);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE, stored ? probe->uploaded : colors);
 	gpu_bind_texture(gpu, UNIT_MOMENTS, probe->floats);
-	gpu_bind_texture(gpu, UNIT_SMOOTHIE_WORDS, probe->words);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE_WORDS, word ? probe->colors.texture : probe->words);
 	gpu_bind_texture(gpu, UNIT_DEPTH, probe->depth.texture);
 	gpu_bind_texture(gpu, UNIT_DEPTH_COMPARE, probe->depth.texture);
 	gpu->gl.BindSampler(UNIT_DEPTH_COMPARE, probe->compare);
@@ -268,12 +281,14 @@ static void judge_colors(struct probe *probe, enum cap cap, const char *problem)
 {
 	const struct color_probe *what = &color_probes[cap];
 	struct expectation expectations[EXPECTATIONS_MAX];
+	enum reading on_left = is_word(what) ? READ_WORD : READ_LEFT;
+	enum reading on_right = is_word(what) ? READ_RIGHT_WORD : READ_RIGHT;
 	int count = 0;
 	for (int i = 0; i < what->channels; i++) {
 		expectations[count++] =
-			(struct expectation){READ_LEFT + (enum reading)i, first[i], what->step};
+			(struct expectation){on_left + (enum reading)i, first[i], what->step};
 		expectations[count++] = (struct expectation){
-			READ_RIGHT + (enum reading)i, what->wanted[i], what->step};
+			on_right + (enum reading)i, what->wanted[i], what->step};
 	}
 	if (what->filtered)
 		expectations[count++] = (struct expectation){
@@ -324,7 +339,7 @@ static void draw(struct probe *probe, enum cap cap)
 	const char *depth = draw_depth(probe, cap == CAP_FRAG_DEPTH_MIN);
 	bool complete = target_init(
 		&probe->bytes, gl, STORAGE_PROBES, READINGS, GL_RGBA8, GL_COLOR_ATTACHMENT0, NULL);
-	bind_all(probe, cap == CAP_SRGB_STORED);
+	bind_all(probe, cap == CAP_SRGB_STORED, is_word(&color_probes[cap]));
 	const char *read = complete ? read_values(probe) : no_target;
 	gl->Enable(GL_DITHER);
 	gpu_restore_state(probe->gpu);

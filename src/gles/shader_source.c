@@ -58,6 +58,7 @@ static const struct {
 	FLAG(HOLLOWS),
 	FLAG(SAMPLES),
 	FLAG(FLAT_INPUTS),
+	FLAG(FUSED),
 #undef FLAG
 };
 
@@ -98,7 +99,7 @@ static const struct {
 	const char *name;
 	uint64_t flags;      /* that mean something */
 	const char *defines; /* in all variants; may be NULL */
-	struct part parts[2][34];
+	struct part parts[2][36];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -131,12 +132,13 @@ static const struct {
 		{
 			.name = "fin",
 			.flags = FLAG_SINUSOID | FLAG_DEPTH_ONLY | FLAG_RECEIVER_MAP | FLAG_CONE |
-				 FLAG_ALPHA_DEPTH | FLAG_FETCH | PLAIN_FLAGS,
+				 FLAG_ALPHA_DEPTH | FLAG_FETCH | FLAG_FUSED | PLAIN_FLAGS,
 			.defines = FIN_DEFINES,
 			.parts =
 				{
 					{{"smoothie_fin.vert"}},
 					{{"common_light_depth.glsl"}, {"common_plain_depth.glsl"},
+						{"smoothie_word.glsl", FLAG_FUSED},
 						{"smoothie_fin.frag"}},
 				},
 		},
@@ -175,7 +177,7 @@ static const struct {
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
 				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS |
 				 FLAG_COARSE | FLAG_BEHIND | FLAG_WORDS | FLAG_TWO_LAYERS |
-				 FLAG_HOLLOWS | FLAG_SAMPLES | FLAG_FLAT_INPUTS,
+				 FLAG_HOLLOWS | FLAG_SAMPLES | FLAG_FLAT_INPUTS | FLAG_FUSED,
 			.parts =
 				{
 					{
@@ -205,6 +207,7 @@ static const struct {
 						{"shadow_taps.glsl", TAP_FLAGS | COMPARE_FLAGS},
 						{"shadow_compare.glsl", FLAG_HARD | FLAG_PCSS},
 						{"shadow_hard.glsl", FLAG_HARD},
+						{"smoothie_word.glsl", FLAG_FUSED},
 						{"shadow_smoothie.glsl", FLAG_SMOOTHIE},
 						{"shadow_two_sided.glsl", FLAG_TWO_SIDED},
 						{"shadow_bicubic.glsl", FLAG_BICUBIC},
@@ -271,6 +274,11 @@ static const struct {
 			.name = "copy",
 			.parts = {{{"copy.vert"}}, {{"common_srgb.glsl"}, {"copy.frag"}}},
 		},
+	[PROGRAM_WORD] =
+		{
+			.name = "word",
+			.parts = {{{"copy.vert"}}, {{"smoothie_word.frag"}}},
+		},
 	[PROGRAM_SCREEN] =
 		{
 			.name = "screen",
@@ -280,7 +288,7 @@ static const struct {
 	[PROGRAM_PROBE_DRAW] =
 		{
 			.name = "probe-draw",
-			.flags = FLAG_ALPHA_DEPTH | FLAG_FETCH,
+			.flags = FLAG_ALPHA_DEPTH | FLAG_FETCH | FLAG_FUSED,
 			.parts = {{{"copy.vert"}}, {{"probe_draw.frag"}}},
 		},
 	[PROGRAM_PROBE_READ] =
@@ -382,6 +390,7 @@ static bool surface_is_complete(uint64_t flags)
 	       implies(flags, FLAG_SEPARATE_DEPTH, FLAG_SMOOTHIE) &&
 	       implies(flags, FLAG_ALPHA_DEPTH, FLAG_SEPARATE_DEPTH) &&
 	       implies(flags, FLAG_WORDS, FLAG_SMOOTHIE | FLAG_GATHER) &&
+	       implies(flags, FLAG_FUSED, FLAG_SMOOTHIE | FLAG_GATHER) &&
 	       implies(flags, FLAG_SPLIT, FLAG_VSM) &&
 	       implies(flags, FLAG_POINTS, FLAG_VISIBILITY) &&
 	       implies(flags, FLAG_RUNS, FLAG_EDGES) && implies(flags, FLAG_COARSE, FLAG_EDGES) &&
@@ -407,6 +416,9 @@ static bool is_complete(struct program_key key)
 		return (flags & FLAG_FLAT_INPUTS) != 0;
 	case PROGRAM_FIND:
 		return flags & FLAG_RECEIVERS && flags & FLAG_FLAT_INPUTS;
+	case PROGRAM_FIN:
+	case PROGRAM_PROBE_DRAW:
+		return implies(flags, FLAG_FUSED, FLAG_FETCH);
 	case PROGRAM_BLUR:
 		return !(flags & (FLAG_RECEIVER_MAP | PLAIN_FLAGS)) || flags & FLAG_FROM_DEPTH;
 	default:
@@ -425,6 +437,7 @@ static bool surface_conflicts(uint64_t flags)
 	       !excludes(flags, FLAG_POINTS, FLAG_CELLS | (SHADOW_FLAGS & ~FLAG_EDGES)) ||
 	       !excludes(flags, FLAG_BEHIND, FLAG_TWO_LAYERS | FLAG_HOLLOWS) ||
 	       !excludes(flags, FLAG_WORDS, FLAG_SEPARATE_DEPTH) ||
+	       !excludes(flags, FLAG_FUSED, FLAG_SEPARATE_DEPTH | FLAG_WORDS) ||
 	       !excludes(flags, FLAG_GATHER, FLAG_FOUR_FETCHES) ||
 	       !excludes(flags, FLAG_VISIBILITY, FLAG_TEXTURED | FLAG_ENCODE_SRGB | FLAG_SEEN);
 }

@@ -23,6 +23,7 @@ enum program_kind {
 	PROGRAM_KNOWN,
 	PROGRAM_FIND,
 	PROGRAM_COPY,
+	PROGRAM_WORD,
 	PROGRAM_SCREEN,
 	PROGRAM_PROBE_DRAW,
 	PROGRAM_PROBE_READ,
@@ -81,9 +82,10 @@ enum program_kind {
 #define FLAG_HOLLOWS (UINT64_C(1) << 42)
 #define FLAG_SAMPLES (UINT64_C(1) << 43)
 #define FLAG_FLAT_INPUTS (UINT64_C(1) << 44)
+#define FLAG_FUSED (UINT64_C(1) << 45)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 45)
+#define FLAG_END (UINT64_C(1) << 46)
 
 struct program_key {
 	enum program_kind kind;

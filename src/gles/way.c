@@ -49,7 +49,10 @@ static const struct {
 		[TAPS_GATHER] = {"gather", "textureGather", CAP_BIT(TEXTURE_GATHER), 0},
 		[TAPS_FETCH] = {"fetch", "four fetches", 0, 0},
 	}},
-	[DRIVER_PAIRS] = {"pairs", "two halves each of four texels", {
+	[DRIVER_PAIRS] = {"pairs", "smoothies at four texels", {
+		[PAIRS_FUSED] = {"fused", "textureGather of integers with the shadow map in them",
+			CAP_BIT(FETCH_R32I) | CAP_BIT(TEXTURE_GATHER) | CAP_BIT(DEPTH_FETCH),
+			GL_R32I, CAP_BIT(SLOW_LOOKUPS)},
 		[PAIRS_WORDS] = {"words", "textureGather of both as an integer",
 			CAP_BIT(HALF_WORDS) | CAP_BIT(TEXTURE_GATHER), 0},
 		[PAIRS_APART] = {"apart", "each as taps are", 0, 0},

@@ -300,6 +300,11 @@ static struct disc_box find_held(const struct depth_map *map)
 /* A map alone is of that. */
 static const struct disc middle = {.count = 1};
 
+struct screen_box depth_map_held(const struct depth_map *map)
+{
+	return disc_box_from(&map->held, middle.points[0]);
+}
+
 /* Where a layer has changed, which is what a point of the light's disc sees. */
 static struct screen_box find_changed(const struct depth_map *map, const float point[2])
 {

@@ -85,6 +85,9 @@ bool depth_map_draw(struct depth_map *map, struct gpu *gpu, const struct sm_scen
  *  rest is clear already: but from all to no part that is too large for that to pay. */
 void depth_map_narrow(struct screen_box *part, const struct screen_box *held);
 
+/** The part of the light's screen beside which the map is 1. */
+struct screen_box depth_map_held(const struct depth_map *map);
+
 /** Has the next draw start with nothing. */
 void depth_map_forget(struct depth_map *map);
 

@@ -46,12 +46,19 @@ static bool choose_way(struct smoothie *smoothie, struct gpu *gpu,
 	return true;
 }
 
-/* Whether both channels of the buffer are to be looked up at once. */
-static bool takes_words(const struct smoothie *smoothie, struct gpu *gpu)
+/* How both channels of the buffer are to be looked up. */
+static enum pairs_way choose_pairs(const struct smoothie *smoothie, struct gpu *gpu)
 {
-	return way_at(DRIVER_SMOOTHIE, (size_t)smoothie->way)->format == GL_RG16F &&
-	       !smoothie->two_passes && smoothie->surface_flags & FLAG_GATHER &&
-	       way_choose(gpu, DRIVER_PAIRS, NULL) == PAIRS_WORDS;
+	bool halves = way_at(DRIVER_SMOOTHIE, (size_t)smoothie->way)->format == GL_RG16F;
+	bool free = halves && !smoothie->two_passes && smoothie->surface_flags & FLAG_GATHER;
+	return free ? (enum pairs_way)way_choose(gpu, DRIVER_PAIRS, NULL) : PAIRS_APART;
+}
+
+static void take_fused(struct smoothie *smoothie)
+{
+	smoothie->fused = true;
+	smoothie->alpha_flags |= FLAG_FETCH | FLAG_FUSED;
+	smoothie->surface_flags |= FLAG_FUSED;
 }
 
 bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
@@ -63,18 +70,22 @@ bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
 	smoothie->shape = *shape;
 	if (!choose_way(smoothie, gpu, options, fin_flags, error))
 		return false;
+	enum pairs_way pairs = choose_pairs(smoothie, gpu);
+	if (pairs == PAIRS_FUSED)
+		take_fused(smoothie);
 	fin_stream_init(&smoothie->fins, gpu);
 	if (options->falloff == SM_FALLOFF_SINUSOID && !(fin_flags & FLAG_CONE))
 		make_falloff(smoothie, gl);
 	if (!depth_map_init(
 		    &smoothie->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
 		!target_init(&smoothie->buffer, gl, STORAGE_SMOOTHIES, size,
-			way_at(DRIVER_SMOOTHIE, (size_t)smoothie->way)->format,
+			smoothie->fused ? GL_R32I
+					: way_at(DRIVER_SMOOTHIE, (size_t)smoothie->way)->format,
 			smoothie->way == SMOOTHIE_DEPTH_TEST ? GL_DEPTH_ATTACHMENT
 							     : GL_COLOR_ATTACHMENT0,
 			error))
 		return false;
-	if (takes_words(smoothie, gpu))
+	if (pairs == PAIRS_WORDS)
 		smoothie->words =
 			target_create_view(&smoothie->buffer, gl, STORAGE_SMOOTHIES, GL_R32I);
 	if (smoothie->words != 0)
@@ -124,6 +135,26 @@ static bool draw_by_depth_test(struct smoothie *smoothie, struct gpu *gpu,
 	return draw_fins(smoothie, gpu, frame, flags, error);
 }
 
+/* The words of the shadow map in a part, and fins. */
+static bool draw_fused(struct smoothie *smoothie, struct gpu *gpu, const struct light_frame *frame,
+	const struct screen_box *part, uint64_t flags, struct sm_error *error)
+{
+	struct gl *gl = &gpu->gl;
+	static const struct program_key key = {.kind = PROGRAM_WORD};
+	static const GLint lit[4] = {0x3f800000}; /* the bits of 1 */
+	struct screen_box held = depth_map_held(&smoothie->casters);
+	target_bind(&smoothie->buffer, gl);
+	target_restrict_clear(&smoothie->buffer, part, gl);
+	gl->ClearBufferiv(GL_COLOR, 0, lit);
+	if (program_use(&gpu->programs, gl, key, error) == NULL)
+		return false;
+	screen_box_cut(&held, part);
+	target_restrict(target_part(&smoothie->buffer, &held), gl);
+	gpu_fill_viewport(gpu, smoothie->casters.target.texture);
+	target_restrict(target_part(&smoothie->buffer, part), gl);
+	return draw_fins(smoothie, gpu, frame, flags, error);
+}
+
 static bool draw_minimum(struct smoothie *smoothie, struct gpu *gpu,
 	const struct light_frame *frame, const struct screen_box *part, uint64_t flags,
 	struct sm_error *error)
@@ -155,6 +186,8 @@ static bool draw_buffer(struct smoothie *smoothie, struct gpu *gpu, const struct
 	if (smoothie->two_passes && !draw_by_depth_test(smoothie, gpu, frame, &smoothie->depth,
 					    part, depth_flags, error))
 		return false;
+	if (smoothie->fused)
+		return draw_fused(smoothie, gpu, frame, part, alpha_flags, error);
 	return smoothie->way == SMOOTHIE_DEPTH_TEST
 		       ? draw_by_depth_test(
 				 smoothie, gpu, frame, &smoothie->buffer, part, alpha_flags, error)
@@ -223,7 +256,8 @@ void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame 
 	const struct smoothie *smoothie = state;
 	depth_map_bind(&smoothie->casters, gpu, frame, program);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE, smoothie->buffer.texture);
-	gpu_bind_texture(gpu, UNIT_SMOOTHIE_WORDS, smoothie->words);
+	gpu_bind_texture(gpu, UNIT_SMOOTHIE_WORDS,
+		smoothie->fused ? smoothie->buffer.texture : smoothie->words);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE_DEPTH, smoothie->depth.texture);
 }
 

@@ -14,6 +14,7 @@ struct smoothie {
 	struct depth_map receivers; /* of objects that only receive: made when there are any */
 	struct target buffer;
 	GLuint words;        /* what is in the buffer as integers; 0: it is read as it is */
+	bool fused;          /* it is integers, that have the shadow map in them */
 	struct target depth; /* with two passes; the buffer then has alpha' alone */
 	GLuint falloff;      /* table of the sinusoid */
 	struct fin_stream fins;

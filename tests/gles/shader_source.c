@@ -52,6 +52,7 @@ static const struct {
 	{FLAG_HOLLOWS, "HOLLOWS"},
 	{FLAG_SAMPLES, "SAMPLES"},
 	{FLAG_FLAT_INPUTS, "FLAT_INPUTS"},
+	{FLAG_FUSED, "FUSED"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -122,8 +123,8 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	size_t counts[PROGRAM_KINDS];
 	for (int kind = 0; kind < PROGRAM_KINDS; kind++)
 		counts[kind] = check_kind(kind);
-	/* A colour, a depth, or the lesser of what is there and a colour. */
-	assert_int_equal(counts[PROGRAM_PROBE_DRAW], 3);
+	/* A colour, a depth, or the lesser of what is there and a colour, or a word of it. */
+	assert_int_equal(counts[PROGRAM_PROBE_DRAW], 4);
 	assert_int_equal(counts[PROGRAM_PROBE_READ], 2);
 	assert_int_equal(counts[PROGRAM_PROBE_BRANCH], 1);
 	/* No colours, or depths as floats of 32 or 16 bits, or as bytes. */
@@ -131,13 +132,14 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	/* The front one, or what is behind it, on a fine raster grid or a coarse one. */
 	assert_int_equal(counts[PROGRAM_LAYER], 2 * 2);
 	assert_int_equal(counts[PROGRAM_COPY], 1);
+	assert_int_equal(counts[PROGRAM_WORD], 1);
 	/* Fewer bits than 8, as many, or more; as stored, or decoded and encoded again. */
 	assert_int_equal(counts[PROGRAM_SCREEN], 3 * 2);
 	/* As they are, linear in 16 bits, or packed. */
 	const size_t plain = 3;
 	/* With and without a receiver map: linear or sinusoid, of cones or not, with a minimum by
-	 * blending, depth test or shader; depth only. */
-	assert_int_equal(counts[PROGRAM_FIN], plain * 2 * (2 * 2 * 3 + 1));
+	 * blending, depth test or shader, which may have the map's depth as well; depth only. */
+	assert_int_equal(counts[PROGRAM_FIN], plain * 2 * (2 * 2 * 4 + 1));
 	assert_int_equal(counts[PROGRAM_TWO_SIDED_FIN], plain * 2);
 	/* Across, with and without a receiver map, and up; each of whole values or split ones. */
 	assert_int_equal(counts[PROGRAM_BLUR], 2 * (plain * 2 + 1));
@@ -156,7 +158,7 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	const size_t gathers = 2 * edges + 1 + 2;
 	const size_t shadows = comparison + /* hard */
 			       3 * taps +   /* smoothies, with no or own depth, or alpha too */
-			       1 +          /* depth and alpha of smoothies at once */
+			       2 +          /* depth and alpha of smoothies at once, and the map's */
 			       taps +       /* two-sided smoothies */
 			       taps +       /* bicubic */
 			       3 * plain +  /* pcss: plain depths, and one of three comparisons */
@@ -256,7 +258,11 @@ static void flags_that_make_no_sense_are_refused(void **state)
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_WORDS},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_GATHER |
 					  FLAG_SEPARATE_DEPTH | FLAG_WORDS},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_FUSED},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_SMOOTHIE | FLAG_GATHER |
+					  FLAG_WORDS | FLAG_FUSED},
 		{PROGRAM_SURFACE, FLAG_DEPTH_HALF},
+		{PROGRAM_FIN, FLAG_FUSED},
 		{PROGRAM_FIN, FLAG_ALPHA_DEPTH | FLAG_FETCH},
 		{PROGRAM_FIN, FLAG_DEPTH_ONLY | FLAG_ALPHA_DEPTH},
 		{PROGRAM_DEPTH_MAP, FLAG_DEPTH_FLOAT | FLAG_DEPTH_HALF},

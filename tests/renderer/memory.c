@@ -61,6 +61,7 @@ static uint64_t texel_bytes(GLenum format)
 		{GL_R16F, 2},
 		{GL_R16UI, 2},
 		{GL_R32F, 4},
+		{GL_R32I, 4},
 		{GL_R32UI, 4},
 		{GL_RG16F, 4},
 		{GL_RGBA8, 4},

@@ -38,8 +38,10 @@ static const struct {
 	const char *need;
 	struct use uses[USES_MAX + 1];
 } cases[] = {
-	{"smoothie", {{{SMOOTHIE}}, {{SMOOTHIE, .falloff = SM_FALLOFF_SINUSOID}},
-			     {{SMOOTHIE, .passes = 2}}, {{.technique = "penumbra-map"}}}},
+	{"smoothie",
+		{{{SMOOTHIE}, "pairs=apart"},
+			{{SMOOTHIE, .falloff = SM_FALLOFF_SINUSOID}, "pairs=apart"},
+			{{SMOOTHIE, .passes = 2}}, {{.technique = "penumbra-map"}, "pairs=apart"}}},
 	{"depth", {{{SMOOTHIE}}, {{SMOOTHIE}, "taps=fetch"}, {{.technique = "smoothie-two-sided"}},
 			  {{.technique = "pcf"}, "comparison=fetch"}, {{.technique = "pcss"}},
 			  {{.technique = "vsm"}, "moments=rg32f-fetch"},
@@ -48,7 +50,8 @@ static const struct {
 			       {{.technique = "maps", .samples = 4}}}},
 	{"taps", {{{SMOOTHIE}}, {{.technique = "smoothie-two-sided"}},
 			 {{.technique = "pcf", .samples = 16}}}},
-	{"pairs", {{{SMOOTHIE}}, {{SMOOTHIE}, "smoothie=fetch"}, {{.technique = "penumbra-map"}}}},
+	{"pairs", {{{SMOOTHIE}}, {{SMOOTHIE, .falloff = SM_FALLOFF_SINUSOID}},
+			  {{SMOOTHIE}, "smoothie=fetch"}, {{.technique = "penumbra-map"}}}},
 	{"moments", {{{.technique = "vsm"}}}},
 };
 
@@ -185,7 +188,8 @@ static void check_rounding(const struct field *field, const char *need)
 {
 	static const struct {
 		const char *need, *way;
-	} coarse[] = {{"smoothie", "rgb10_a2"}, {"smoothie", "rgba8"}, {"depth", "r16f"}};
+	} coarse[] = {{"smoothie", "rgb10_a2"}, {"smoothie", "rgba8"}, {"depth", "r16f"},
+		{"pairs", "words"}, {"pairs", "fused"}};
 	const char *name;
 	for (size_t way = 0; (name = sm_way_name(field->need, way)) != NULL; way++)
 		for (size_t i = 0; i < sizeof(coarse) / sizeof(coarse[0]); i++)
