@@ -54,9 +54,14 @@ static enum pairs_way choose_pairs(const struct smoothie *smoothie, struct gpu *
 	return free ? (enum pairs_way)way_choose(gpu, DRIVER_PAIRS, NULL) : PAIRS_APART;
 }
 
+/* Whether the buffer is of words that have the shadow map in them. */
+static bool is_fused(const struct smoothie *smoothie)
+{
+	return (smoothie->surface_flags & FLAG_FUSED) != 0;
+}
+
 static void take_fused(struct smoothie *smoothie)
 {
-	smoothie->fused = true;
 	smoothie->alpha_flags |= FLAG_FETCH | FLAG_FUSED;
 	smoothie->surface_flags |= FLAG_FUSED;
 }
@@ -79,8 +84,8 @@ bool smoothie_init(struct smoothie *smoothie, struct gpu *gpu,
 	if (!depth_map_init(
 		    &smoothie->casters, gpu, options->map_size, DEPTH_MAP_LINEAR, true, error) ||
 		!target_init(&smoothie->buffer, gl, STORAGE_SMOOTHIES, size,
-			smoothie->fused ? GL_R32I
-					: way_at(DRIVER_SMOOTHIE, (size_t)smoothie->way)->format,
+			is_fused(smoothie) ? GL_R32I
+					   : way_at(DRIVER_SMOOTHIE, (size_t)smoothie->way)->format,
 			smoothie->way == SMOOTHIE_DEPTH_TEST ? GL_DEPTH_ATTACHMENT
 							     : GL_COLOR_ATTACHMENT0,
 			error))
@@ -186,7 +191,7 @@ static bool draw_buffer(struct smoothie *smoothie, struct gpu *gpu, const struct
 	if (smoothie->two_passes && !draw_by_depth_test(smoothie, gpu, frame, &smoothie->depth,
 					    part, depth_flags, error))
 		return false;
-	if (smoothie->fused)
+	if (is_fused(smoothie))
 		return draw_fused(smoothie, gpu, frame, part, alpha_flags, error);
 	return smoothie->way == SMOOTHIE_DEPTH_TEST
 		       ? draw_by_depth_test(
@@ -257,7 +262,7 @@ void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame 
 	depth_map_bind(&smoothie->casters, gpu, frame, program);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE, smoothie->buffer.texture);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE_WORDS,
-		smoothie->fused ? smoothie->buffer.texture : smoothie->words);
+		is_fused(smoothie) ? smoothie->buffer.texture : smoothie->words);
 	gpu_bind_texture(gpu, UNIT_SMOOTHIE_DEPTH, smoothie->depth.texture);
 }
 

@@ -8,13 +8,13 @@
 /** Chan & Durand 2003. The smoothie buffer holds linear depth and alpha'. Minimum is what both are
  *  reduced by, nearest depth and darkest alpha, so that one MIN-blended pass fills it; with
  *  options.passes = 2, or where the driver leaves no other way, it is filled as in the paper, by a
- *  depth-tested pass and another for alpha'. */
+ *  depth-tested pass and another for alpha'. Where look-ups are slow it holds words that have the
+ *  shadow map in them as well (shaders_es/smoothie_word.glsl). */
 struct smoothie {
 	struct depth_map casters;
 	struct depth_map receivers; /* of objects that only receive: made when there are any */
 	struct target buffer;
 	GLuint words;        /* what is in the buffer as integers; 0: it is read as it is */
-	bool fused;          /* it is integers, that have the shadow map in them */
 	struct target depth; /* with two passes; the buffer then has alpha' alone */
 	GLuint falloff;      /* table of the sinusoid */
 	struct fin_stream fins;
