@@ -2,6 +2,7 @@
 #ifndef NEED_H
 #define NEED_H
 
+#include "geom/screen_cover.h"
 #include "geom/screen_depths.h"
 #include "geom/screen_grid.h"
 #include "gles/gpu_scene.h"
@@ -20,8 +21,10 @@ enum need {
 /** The needs for one light, over its screen. Conservative: what needs more than its part says is
  *  not there. */
 struct need_map {
-	/* Marked where there is this need or a greater one; kept for NEED_MAP and above. */
-	struct screen_grid cells[NEED_COUNT];
+	struct screen_cover casters; /* beside them a map has nothing in it; none, where no map
+					is asked for */
+	bool by_cells; /* the technique is needed in `cells` alone; else where a map is */
+	struct screen_grid cells;
 	/* Of those cells that need the technique, where surfaces do that are farther than a
 	 * depth, window; NULL: all do. For the caller to set, and not owned. */
 	const struct screen_depths *soft;
