@@ -39,11 +39,11 @@ void screen_cover_add(struct screen_cover *cover, const struct screen_point *poi
 	}
 }
 
-/* Those that a rectangle touches; false if it touches none. */
 struct cells {
 	int first, last, first_row, last_row;
 };
 
+/* Those that a rectangle touches; false if it touches none. */
 static bool find_cells(const float min[2], const float max[2], struct cells *cells)
 {
 	return screen_cells_between(
