@@ -13,7 +13,7 @@ float receiver_depth(vec3 s, vec2 slope, float reach)
 
 float receiver_depth(vec3 s, float reach)
 {
-	return clamp(receiver_depth(s, receiver_slope(s), reach), 0.0, 1.0);
+	return clamp(s.z - DEPTH_STEP - receiver_rise(s) * reach, 0.0, 1.0);
 }
 
 float receiver_depth(vec3 s)

@@ -14,17 +14,33 @@ vec3 on_screen(vec3 p)
 	return vec3(p.xy * (screen_scale * inverse) + 0.5, depth);
 }
 
-// How window depth grows along window x and y on the receiver's own plane, through this pixel and
-// its neighbours (receiver plane depth bias, Isidoro 2006). A plane that the light sees edge on has
-// no area on its screen: what counts is the limit, for the sum of both.
+// The normal of the receiver's own plane on the light's screen, window x, y and depth, through this
+// pixel and its neighbours; of any length.
+vec3 receiver_normal(vec3 s)
+{
+	return cross(dFdx(s), dFdy(s));
+}
+
+// A plane that the light sees edge on has no area on its screen: what counts is this limit, for how
+// depth grows along x and y together.
+float rise_limit(float depth)
+{
+	return (bias_limit.x + bias_limit.y * depth) * map_size.x;
+}
+
+// How window depth grows along window x and y on the receiver's plane (receiver plane depth bias,
+// Isidoro 2006).
 vec2 receiver_slope(vec3 s)
 {
-	vec3 dx = dFdx(s);
-	vec3 dy = dFdy(s);
-	float area = dx.x * dy.y - dx.y * dy.x;
-	vec2 slope = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z);
-	slope = area < 0.0 ? -slope : slope;
-	float limit = (bias_limit.x + bias_limit.y * s.z) * map_size.x;
-	float rise = abs(slope.x) + abs(slope.y);
-	return slope * min(1.0 / max(abs(area), 1e-30), limit / max(rise, 1e-30));
+	vec3 n = receiver_normal(s);
+	vec2 slope = n.z < 0.0 ? n.xy : -n.xy;
+	float rise = abs(n.x) + abs(n.y);
+	return slope * min(1.0 / max(abs(n.z), 1e-30), rise_limit(s.z) / max(rise, 1e-30));
+}
+
+// How it grows along both together, whichever way.
+float receiver_rise(vec3 s)
+{
+	vec3 n = abs(receiver_normal(s));
+	return min((n.x + n.y) / max(n.z, 1e-30), rise_limit(s.z));
 }

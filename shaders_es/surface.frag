@@ -128,6 +128,7 @@ void main()
 #ifdef SHADOWED
 	float unshadowed = strength();
 	light_arrives = unshadowed > 0.0;
+	// The same as below to the bit where all is seen, also where products and sums are fused.
 	received += light_color * (unshadowed * shadow_visibility(seen_position()));
 #elif defined(LIT)
 	received += light_color * strength();
