@@ -1,0 +1,627 @@
+/* SPDX-License-Identifier: MIT */
+#include "geom/lit_triangles.h"
+#include "base/array.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define OBJECT_OF_FINS UINT32_MAX
+
+/* That take as long as to look closer once. */
+#define CLOSE_VISITS 4
+
+/* Members for each shape, and beyond that, from which on cells are made larger. */
+#define MEMBERS_A_SHAPE 4
+#define MEMBERS_BEYOND 65536
+
+/* NDC depth: of 24-bit depths a step, by which neighbours in a plane may seem to be in front of one
+ * another. A map's bias is sixteen. */
+#define FLAT (2.0 / 16777216.0)
+
+/* Of the light's depth range: surfaces that are nearer to each other than this as good as touch. */
+#define GAP (1.0 / 2048.0)
+
+/* NDC, x or y: what is no farther beside a triangle without sharing a corner may be drawn over a
+ * pixel of it, as floats round. */
+#define BESIDE (1.0 / 65536.0)
+
+/* A triangle has three, and each of three cuts doubles them at most, whatever rounds. */
+#define CORNERS_MAX 24
+
+struct lit_shape {
+	uint32_t vertices[3], object;
+	float min[2], max[2]; /* NDC */
+	float near;           /* NDC depth that no part of it is before */
+	uint8_t first[2];     /* cell */
+};
+_Static_assert(LIT_CELLS_MAX <= UINT8_MAX + 1, "cells are counted in bytes");
+
+struct lit_place {
+	float near; /* of a shape */
+	uint32_t shape;
+};
+
+/* NDC depth over a screen: z = x[0] x + x[1] y + at. */
+struct plane {
+	double x[2], at;
+};
+
+/* The triangle that is asked for. */
+struct receiver {
+	uint32_t object;
+	double clip[3][4], points[3][3];
+	struct plane plane;
+	double slope; /* along x and y together */
+	double min[2], max[2];
+	double gap;   /* NDC depth */
+	double clear; /* NDC depth, from which on nothing can matter */
+	bool averted; /* no light arrives, whatever is in front */
+	size_t visits;
+	const struct lit_shape *self;
+};
+
+void lit_search_finish(struct lit_search *search)
+{
+	free(search->vertices);
+	free(search->shapes);
+	free(search->places);
+	free(search->starts);
+	free(search->members);
+	*search = (struct lit_search){0};
+}
+
+size_t lit_search_bytes(const struct lit_search *search)
+{
+	return search->vertex_capacity * sizeof(*search->vertices) +
+	       search->shape_capacity * sizeof(*search->shapes) +
+	       search->place_capacity * sizeof(*search->places) +
+	       search->start_capacity * sizeof(*search->starts) +
+	       search->member_capacity * sizeof(*search->members);
+}
+
+void lit_search_clear(struct lit_search *search)
+{
+	search->vertex_count = search->shape_count = 0;
+}
+
+static bool reserve(struct lit_search *search, size_t vertices, size_t shapes)
+{
+	vertices += search->vertex_count;
+	shapes += search->shape_count;
+	return vertices < UINT32_MAX && shapes < UINT32_MAX &&
+	       array_reserve((void **)&search->vertices, &search->vertex_capacity, vertices,
+		       sizeof(*search->vertices)) &&
+	       array_reserve((void **)&search->shapes, &search->shape_capacity, shapes,
+		       sizeof(*search->shapes));
+}
+
+/* The same for equal positions, to the bit. */
+static void transform(const float to_clip[4][4], const float position[3], double clip[4])
+{
+	for (int row = 0; row < 4; row++) {
+		clip[row] = to_clip[3][row];
+		for (int axis = 0; axis < 3; axis++)
+			clip[row] += (double)to_clip[axis][row] * position[axis];
+	}
+}
+
+/* Adds a vertex to what the shape is over; false where that has no end, or is behind the eye. */
+static bool add_vertex(struct lit_shape *shape, const double v[4])
+{
+	bool finite = v[3] > 0.0;
+	for (int axis = 0; axis < 2 && v[3] > 0.0; axis++) {
+		float at = (float)(v[axis] / v[3]);
+		shape->min[axis] = fminf(shape->min[axis], at);
+		shape->max[axis] = fmaxf(shape->max[axis], at);
+		finite = finite && isfinite(at);
+	}
+	if (finite)
+		shape->near = fminf(shape->near, (float)(v[2] / v[3]));
+	return finite;
+}
+
+/* What is behind the eye as a whole is nowhere. */
+static void add_shape(struct lit_search *search, const uint32_t vertices[3], uint32_t object)
+{
+	struct lit_shape shape = {.object = object,
+		.min = {INFINITY, INFINITY},
+		.max = {-INFINITY, -INFINITY},
+		.near = INFINITY};
+	int behind = 0;
+	bool finite = true;
+	for (int i = 0; i < 3; i++) {
+		const double *v = search->vertices[vertices[i]];
+		shape.vertices[i] = vertices[i];
+		behind += v[3] <= 0.0;
+		finite = add_vertex(&shape, v) && finite;
+	}
+	if (behind == 3)
+		return;
+	if (!finite) {
+		shape.min[0] = shape.min[1] = shape.near = -INFINITY;
+		shape.max[0] = shape.max[1] = INFINITY;
+	}
+	search->shapes[search->shape_count++] = shape;
+}
+
+bool lit_search_add(struct lit_search *search, uint32_t object, const float (*positions)[3],
+	size_t vertex_count, const uint32_t *indices, size_t index_count, const float to_clip[4][4])
+{
+	size_t first = search->vertex_count;
+	if (!reserve(search, vertex_count, index_count / 3))
+		return false;
+	for (size_t i = 0; i < vertex_count; i++)
+		transform(to_clip, positions[i], search->vertices[first + i]);
+	search->vertex_count += vertex_count;
+	for (size_t i = 0; i < index_count; i += 3) {
+		uint32_t vertices[3];
+		for (size_t corner = 0; corner < 3; corner++)
+			vertices[corner] = (uint32_t)first + indices[i + corner];
+		add_shape(search, vertices, object);
+	}
+	return true;
+}
+
+bool lit_search_add_fin(struct lit_search *search, const float corners[4][3])
+{
+	uint32_t first = (uint32_t)search->vertex_count;
+	if (!reserve(search, 4, 2))
+		return false;
+	for (int i = 0; i < 4; i++) {
+		double *v = search->vertices[search->vertex_count++];
+		for (int axis = 0; axis < 3; axis++)
+			v[axis] = corners[i][axis];
+		v[3] = 1.0;
+	}
+	add_shape(search, (uint32_t[]){first, first + 1, first + 2}, OBJECT_OF_FINS);
+	add_shape(search, (uint32_t[]){first, first + 2, first + 3}, OBJECT_OF_FINS);
+	return true;
+}
+
+static int compare_places(const void *a, const void *b)
+{
+	const struct lit_place *left = a, *right = b;
+	if (left->near != right->near)
+		return left->near < right->near ? -1 : 1;
+	return left->shape < right->shape ? -1 : 1;
+}
+
+static bool find_places(struct lit_search *search)
+{
+	if (!array_reserve((void **)&search->places, &search->place_capacity, search->shape_count,
+		    sizeof(*search->places)))
+		return false;
+	for (size_t i = 0; i < search->shape_count; i++)
+		search->places[i] = (struct lit_place){search->shapes[i].near, (uint32_t)i};
+	/* Nothing has no place in memory. */
+	if (search->shape_count > 0)
+		qsort(search->places, search->shape_count, sizeof(*search->places), compare_places);
+	return true;
+}
+
+struct cells {
+	int first[2], last[2];
+};
+
+static int cell_at(const struct lit_search *search, double ndc)
+{
+	double cell = floor((0.5 * ndc + 0.5) * search->cells);
+	return (int)fmin(fmax(cell, 0.0), search->cells - 1.0);
+}
+
+/* Those that are beside the screen are in the cells along its border. */
+static struct cells cells_of(
+	const struct lit_search *search, const double min[2], const double max[2])
+{
+	struct cells cells;
+	for (int axis = 0; axis < 2; axis++) {
+		cells.first[axis] = cell_at(search, min[axis]);
+		cells.last[axis] = cell_at(search, max[axis]);
+	}
+	return cells;
+}
+
+static struct cells shape_cells(const struct lit_search *search, const struct lit_shape *shape)
+{
+	const double min[2] = {shape->min[0], shape->min[1]};
+	const double max[2] = {shape->max[0], shape->max[1]};
+	return cells_of(search, min, max);
+}
+
+static size_t count_members(const struct lit_search *search)
+{
+	size_t count = 0;
+	for (size_t i = 0; i < search->shape_count; i++) {
+		struct cells cells = shape_cells(search, &search->shapes[i]);
+		count += (size_t)(cells.last[0] - cells.first[0] + 1) *
+			 (size_t)(cells.last[1] - cells.first[1] + 1);
+	}
+	return count;
+}
+
+/* Returns how many members there are. */
+static size_t choose_cells(struct lit_search *search)
+{
+	size_t most = MEMBERS_A_SHAPE * search->shape_count + MEMBERS_BEYOND, count;
+	search->cells = LIT_CELLS_MAX;
+	while ((count = count_members(search)) > most && search->cells > 1)
+		search->cells /= 2;
+	return count;
+}
+
+/* Counts each cell's, and has starts lead to where they end. */
+static void find_ends(struct lit_search *search, size_t cell_count)
+{
+	memset(search->starts, 0, (cell_count + 1) * sizeof(*search->starts));
+	for (size_t i = 0; i < search->shape_count; i++) {
+		struct lit_shape *shape = &search->shapes[i];
+		struct cells cells = shape_cells(search, shape);
+		shape->first[0] = (uint8_t)cells.first[0];
+		shape->first[1] = (uint8_t)cells.first[1];
+		for (int y = cells.first[1]; y <= cells.last[1]; y++)
+			for (int x = cells.first[0]; x <= cells.last[0]; x++)
+				search->starts[y * search->cells + x]++;
+	}
+	for (size_t i = 1; i <= cell_count; i++)
+		search->starts[i] += search->starts[i - 1];
+}
+
+/* From each cell's end down to its start. */
+static void write_members(struct lit_search *search)
+{
+	for (size_t i = search->shape_count; i-- > 0;) {
+		struct lit_place place = search->places[i];
+		struct cells cells = shape_cells(search, &search->shapes[place.shape]);
+		for (int y = cells.first[1]; y <= cells.last[1]; y++)
+			for (int x = cells.first[0]; x <= cells.last[0]; x++)
+				search->members[--search->starts[y * search->cells + x]] = place;
+	}
+}
+
+bool lit_search_sort(struct lit_search *search)
+{
+	size_t count = choose_cells(search);
+	size_t cell_count = (size_t)search->cells * (size_t)search->cells;
+	if (count >= UINT32_MAX ||
+		!array_reserve((void **)&search->starts, &search->start_capacity, cell_count + 1,
+			sizeof(*search->starts)) ||
+		!array_reserve((void **)&search->members, &search->member_capacity, count,
+			sizeof(*search->members)) ||
+		!find_places(search))
+		return false;
+	find_ends(search, cell_count);
+	write_members(search);
+	return true;
+}
+
+/* False where the light sees it edge on, or as good as. */
+static bool find_plane(const double points[3][3], struct plane *plane)
+{
+	double u[3], v[3];
+	for (int axis = 0; axis < 3; axis++) {
+		u[axis] = points[1][axis] - points[0][axis];
+		v[axis] = points[2][axis] - points[0][axis];
+	}
+	double area = u[0] * v[1] - u[1] * v[0];
+	if (area == 0.0)
+		return false;
+	plane->x[0] = (u[2] * v[1] - u[1] * v[2]) / area;
+	plane->x[1] = (u[0] * v[2] - u[2] * v[0]) / area;
+	plane->at = points[0][2] - plane->x[0] * points[0][0] - plane->x[1] * points[0][1];
+	return isfinite(plane->at);
+}
+
+static double slope_of(const struct plane *plane)
+{
+	return fabs(plane->x[0]) + fabs(plane->x[1]);
+}
+
+/* How far behind the plane a vertex is, in NDC depth times its w: linear in clip space, also behind
+ * the eye. */
+static double behind(const struct plane *plane, const double clip[4])
+{
+	return clip[2] - plane->x[0] * clip[0] - plane->x[1] * clip[1] - plane->at * clip[3];
+}
+
+/* False if part of it is behind the eye. */
+static bool project(const double *const clip[3], double points[3][3])
+{
+	for (int i = 0; i < 3; i++) {
+		if (!(clip[i][3] > 0.0))
+			return false;
+		for (int axis = 0; axis < 3; axis++)
+			points[i][axis] = clip[i][axis] / clip[i][3];
+	}
+	return true;
+}
+
+/* NDC depth of GAP at a window depth: d = l / (k + l (1 - k)) at linear depth l (scene/light.h). */
+static double gap_at(double depth, double near_to_far)
+{
+	double divisor = 1.0 - depth * (1.0 - near_to_far);
+	return 2.0 * GAP * divisor * divisor / near_to_far;
+}
+
+/* Whether receivers on it are biased by their plane's slope. */
+static bool follows_slope(const struct receiver *receiver, const struct lit_rule *rule)
+{
+	for (int i = 0; i < 3; i++) {
+		double depth = 0.5 * receiver->points[i][2] + 0.5;
+		/* Shaders find both in float: a tenth is far more than that is off. */
+		if (!(receiver->slope <= 0.9 * (rule->limit[0] + rule->limit[1] * depth)))
+			return false;
+	}
+	return true;
+}
+
+static bool find_receiver(struct receiver *receiver, const float triangle[3][3],
+	const float to_clip[4][4], const struct lit_rule *rule)
+{
+	for (int i = 0; i < 3; i++)
+		transform(to_clip, triangle[i], receiver->clip[i]);
+	const double *const clip[3] = {receiver->clip[0], receiver->clip[1], receiver->clip[2]};
+	if (!project(clip, receiver->points) || !find_plane(receiver->points, &receiver->plane))
+		return false;
+	double(*p)[3] = receiver->points;
+	for (int axis = 0; axis < 2; axis++) {
+		receiver->min[axis] = fmin(fmin(p[0][axis], p[1][axis]), p[2][axis]) - rule->around;
+		receiver->max[axis] = fmax(fmax(p[0][axis], p[1][axis]), p[2][axis]) + rule->around;
+	}
+	receiver->slope = slope_of(&receiver->plane);
+	receiver->gap = fmax(fmax(gap_at(0.5 * p[0][2] + 0.5, rule->near_to_far),
+				     gap_at(0.5 * p[1][2] + 0.5, rule->near_to_far)),
+		gap_at(0.5 * p[2][2] + 0.5, rule->near_to_far));
+	/* Where the plane is followed for taps it goes on to be farther; floats may round a depth.
+	 */
+	receiver->clear = fmax(fmax(p[0][2], p[1][2]), p[2][2]) +
+			  receiver->slope * fmax(-rule->bias, 0.0) + receiver->gap + FLAT;
+	return receiver->averted || follows_slope(receiver, rule);
+}
+
+/* A convex polygon in clip space. */
+struct polygon {
+	double corners[CORNERS_MAX][4];
+	int count;
+};
+
+static struct polygon polygon_of(const double *const clip[3])
+{
+	struct polygon polygon;
+	polygon.count = 3;
+	for (int i = 0; i < 3; i++)
+		memcpy(polygon.corners[i], clip[i], sizeof(polygon.corners[i]));
+	return polygon;
+}
+
+static struct polygon own_polygon(const struct receiver *receiver)
+{
+	const double *const clip[3] = {receiver->clip[0], receiver->clip[1], receiver->clip[2]};
+	return polygon_of(clip);
+}
+
+/* Keeps what of it is on one side: n[0] x + n[1] y + n[2] w >= 0. */
+static void cut(struct polygon *polygon, const double n[3])
+{
+	struct polygon kept;
+	kept.count = 0;
+	for (int i = 0; i < polygon->count; i++) {
+		const double *a = polygon->corners[i];
+		const double *b = polygon->corners[(i + 1) % polygon->count];
+		double at_a = n[0] * a[0] + n[1] * a[1] + n[2] * a[3];
+		double at_b = n[0] * b[0] + n[1] * b[1] + n[2] * b[3];
+		if (at_a >= 0.0)
+			memcpy(kept.corners[kept.count++], a, sizeof(kept.corners[0]));
+		/* A side's ends differ, and so do the signs: the divisor is not 0. */
+		if ((at_a >= 0.0) != (at_b >= 0.0)) {
+			double t = at_a / (at_a - at_b), *corner = kept.corners[kept.count++];
+			for (int axis = 0; axis < 4; axis++)
+				corner[axis] = a[axis] + t * (b[axis] - a[axis]);
+		}
+	}
+	*polygon = kept;
+}
+
+/* Keeps what of it is over a triangle, NDC, or within `slack` of it in x and y. */
+static void cut_to(struct polygon *polygon, const double points[3][3], double slack)
+{
+	double area = (points[1][0] - points[0][0]) * (points[2][1] - points[0][1]) -
+		      (points[1][1] - points[0][1]) * (points[2][0] - points[0][0]);
+	double side = area < 0.0 ? -1.0 : 1.0;
+	for (int i = 0; i < 3 && polygon->count > 0; i++) {
+		const double *a = points[i], *b = points[(i + 1) % 3];
+		double x = side * (a[1] - b[1]), y = side * (b[0] - a[0]);
+		const double n[3] = {x, y, slack * (fabs(x) + fabs(y)) - (x * a[0] + y * a[1])};
+		cut(polygon, n);
+	}
+}
+
+/* Whether all that is looked up of a shape is as far from the light as the receiver, less its bias.
+ * It is found up to `around` from a point of the receiver: by as much it may come nearer, on its
+ * own plane, than it is there. */
+static bool is_beyond(
+	const struct receiver *receiver, const double *const clip[3], const struct lit_rule *rule)
+{
+	double points[3][3];
+	struct plane plane;
+	struct polygon over = own_polygon(receiver);
+	if (!project(clip, points) || !find_plane(points, &plane))
+		return false;
+	cut_to(&over, points, rule->around);
+	double least = slope_of(&plane) * rule->around - receiver->slope * rule->bias;
+	for (int i = 0; i < over.count; i++) {
+		const double *corner = over.corners[i];
+		if (!(-behind(&plane, corner) >= least * corner[3]))
+			return false;
+	}
+	return true;
+}
+
+/* Which of a shape's corners each of the receiver's is, -1 for none; and how many are. */
+static int find_shared(const struct receiver *receiver, const double *const clip[3], int shared[3])
+{
+	int count = 0;
+	for (int i = 0; i < 3; i++) {
+		shared[i] = -1;
+		for (int j = 0; j < 3; j++)
+			if (memcmp(receiver->clip[i], clip[j], sizeof(receiver->clip[i])) == 0)
+				shared[i] = j;
+		count += shared[i] >= 0;
+	}
+	return count;
+}
+
+/* Whether the side that they share leads the same way in both: then both are in front on one side
+ * of it. */
+static bool is_inverted(const int shared[3])
+{
+	for (int i = 0; i < 3; i++) {
+		int a = shared[i], b = shared[(i + 1) % 3];
+		if (a >= 0 && b >= 0)
+			return b == (a + 1) % 3;
+	}
+	return false;
+}
+
+/* How far behind the receiver's plane a polygon is, NDC depth, least and most. */
+static void find_depths(
+	const struct receiver *receiver, const struct polygon *polygon, double *least, double *most)
+{
+	*least = INFINITY;
+	*most = -INFINITY;
+	for (int i = 0; i < polygon->count; i++) {
+		const double *corner = polygon->corners[i];
+		/* What goes on behind the eye has no end there. */
+		double depth = behind(&receiver->plane, corner);
+		double at = corner[3] > 0.0 ? depth / corner[3] : copysign(INFINITY, depth);
+		*least = fmin(*least, at);
+		*most = fmax(*most, at);
+	}
+}
+
+/* Twice the area, NDC; of what is before the eye. */
+static double area_of(const struct polygon *polygon)
+{
+	const double *first = polygon->corners[0];
+	double area = 0.0;
+	for (int i = 2; i < polygon->count; i++) {
+		const double *a = polygon->corners[i - 1], *b = polygon->corners[i];
+		area += (a[0] / a[3] - first[0] / first[3]) * (b[1] / b[3] - first[1] / first[3]) -
+			(a[1] / a[3] - first[1] / first[3]) * (b[0] / b[3] - first[0] / first[3]);
+	}
+	return fabs(area);
+}
+
+/* Of a receiver: what two triangles that share a side have in common for rounding. */
+#define OVERLAP 1e-9
+
+/* Whether a neighbour is folded over the receiver. */
+static bool is_folded(const struct receiver *receiver, const double *const clip[3])
+{
+	struct polygon over = polygon_of(clip);
+	const struct polygon whole = own_polygon(receiver);
+	double least, most;
+	find_depths(receiver, &over, &least, &most);
+	if (least < -FLAT || most > FLAT)
+		return false;
+	cut_to(&over, receiver->points, 0.0);
+	return area_of(&over) > OVERLAP * area_of(&whole);
+}
+
+/* Whether part of a shape of the receiver's object is at its depth, or as good as: of neighbours,
+ * other than where they are joined, since each pixel there is one's alone. */
+static bool touches(
+	struct receiver *receiver, const struct lit_shape *shape, const double *const clip[3])
+{
+	int shared[3], count = find_shared(receiver, clip, shared);
+	double least, most;
+	if (count == 3) {
+		bool other = receiver->self != NULL && receiver->self != shape;
+		receiver->self = shape;
+		return other;
+	}
+	if (count > 0)
+		return is_inverted(shared) || is_folded(receiver, clip);
+	struct polygon over = polygon_of(clip);
+	find_depths(receiver, &over, &least, &most);
+	if (least > receiver->gap || most < -receiver->gap)
+		return false;
+	cut_to(&over, receiver->points, BESIDE);
+	find_depths(receiver, &over, &least, &most);
+	return least <= receiver->gap && most >= -receiver->gap;
+}
+
+/* Whether a shape neither is in front of the receiver, which must matter, nor, of the same object,
+ * touches it. */
+static bool is_clear(const struct lit_search *search, struct receiver *receiver,
+	const struct lit_shape *shape, const struct lit_rule *rule)
+{
+	const double *clip[3];
+	bool is_behind = true;
+	for (int i = 0; i < 3; i++) {
+		clip[i] = search->vertices[shape->vertices[i]];
+		is_behind = is_behind &&
+			    behind(&receiver->plane, clip[i]) >= -FLAT * fmax(clip[i][3], 0.0);
+	}
+	if (!is_behind && !receiver->averted && !is_beyond(receiver, clip, rule))
+		return false;
+	return shape->object != receiver->object || !touches(receiver, shape, clip);
+}
+
+static bool is_beside(const struct receiver *receiver, const struct lit_shape *shape)
+{
+	for (int axis = 0; axis < 2; axis++)
+		if (shape->min[axis] > receiver->max[axis] ||
+			shape->max[axis] < receiver->min[axis])
+			return true;
+	return false;
+}
+
+/* Whether a cell is the first that a shape and the receiver have in common. */
+static bool is_first(const struct lit_shape *shape, const struct cells *cells, int x, int y)
+{
+	const uint8_t *own = shape->first;
+	return x == (own[0] > cells->first[0] ? own[0] : cells->first[0]) &&
+	       y == (own[1] > cells->first[1] ? own[1] : cells->first[1]);
+}
+
+/* Whether all members of a cell are clear of the receiver, and not too many with those before. */
+static bool cell_is_clear(const struct lit_search *search, struct receiver *receiver,
+	const struct cells *cells, int x, int y, const struct lit_rule *rule)
+{
+	const uint32_t *start = &search->starts[y * search->cells + x];
+	for (uint32_t i = start[0]; i < start[1]; i++) {
+		const struct lit_place *place = &search->members[i];
+		const struct lit_shape *shape = &search->shapes[place->shape];
+		if (place->near >= receiver->clear)
+			break;
+		if (++receiver->visits >= LIT_VISITS_MAX)
+			return false;
+		if (!is_first(shape, cells, x, y) || is_beside(receiver, shape))
+			continue;
+		receiver->visits += CLOSE_VISITS;
+		if (!is_clear(search, receiver, shape, rule))
+			return false;
+	}
+	return true;
+}
+
+static bool is_lit(
+	const struct lit_search *search, struct receiver *receiver, const struct lit_rule *rule)
+{
+	const struct cells cells = cells_of(search, receiver->min, receiver->max);
+	for (int y = cells.first[1]; y <= cells.last[1]; y++)
+		for (int x = cells.first[0]; x <= cells.last[0]; x++)
+			if (!cell_is_clear(search, receiver, &cells, x, y, rule))
+				return false;
+	return true;
+}
+
+bool lit_search_is_lit(const struct lit_search *search, uint32_t object, const float triangle[3][3],
+	bool averted, const float to_clip[4][4], const struct lit_rule *rule, size_t *visits)
+{
+	struct receiver receiver = {.object = object, .averted = averted, .visits = 1};
+	bool lit = find_receiver(&receiver, triangle, to_clip, rule) &&
+		   is_lit(search, &receiver, rule);
+	*visits += receiver.visits;
+	return lit;
+}
