@@ -31,9 +31,8 @@ static float distortion(mat4 transform)
 	return squares * sqrtf(squares) / fabsf(glm_mat3_det(m));
 }
 
-/* Finds which vertices are averted; false if none are to be. */
-static bool find_vertices(struct averted_parts *parts, const struct mesh *mesh,
-	const struct gpu_mesh *gpu_mesh, mat4 transform, const struct light_frame *frame)
+bool averted_find_vertices(const struct mesh *mesh, const struct gpu_mesh *gpu_mesh, mat4 transform,
+	const struct light_frame *frame, uint8_t *averted)
 {
 	float distorted = distortion(transform);
 	mat4 to_object;
@@ -44,7 +43,7 @@ static bool find_vertices(struct averted_parts *parts, const struct mesh *mesh,
 	glm_mat4_inv(transform, to_object);
 	glm_mat4_mulv(to_object, (float *)frame->origin, light);
 	averted_vertices((const float(*)[3])mesh->positions, (const float(*)[3])mesh->normals,
-		gpu_mesh->rises, mesh->vertex_count, light, SLACK * distorted, parts->averted);
+		gpu_mesh->rises, mesh->vertex_count, light, SLACK * distorted, averted);
 	return true;
 }
 
@@ -90,7 +89,7 @@ bool averted_parts_find(struct averted_parts *parts, struct gpu *gpu, const stru
 		!array_reserve((void **)&parts->indices, &parts->index_capacity,
 			2 * mesh->index_count, sizeof(*parts->indices)))
 		return error_no_memory(error);
-	if (!find_vertices(parts, mesh, gpu_mesh, transform, frame))
+	if (!averted_find_vertices(mesh, gpu_mesh, transform, frame, parts->averted))
 		return true;
 	split(parts, mesh, gpu_mesh, needs);
 	parts->split = parts->count[NEED_AMBIENT] > 0;

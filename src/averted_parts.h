@@ -20,6 +20,11 @@ struct averted_parts {
 
 void averted_parts_finish(struct averted_parts *parts, struct gl *gl);
 
+/** Sets averted: [mesh->vertex_count], of each vertex whether light arrives nowhere around it.
+ * False, and nothing is set, where the transform leaves too little to tell by. */
+bool averted_find_vertices(const struct mesh *mesh, const struct gpu_mesh *gpu_mesh, mat4 transform,
+	const struct light_frame *frame, uint8_t *averted);
+
 /** Splits what of an object's clusters needs the technique, in parts->split if there is any to be
  *  left out. needs: enum need of each cluster. Fails (MACHINE) for want of memory. */
 bool averted_parts_find(struct averted_parts *parts, struct gpu *gpu, const struct mesh *mesh,

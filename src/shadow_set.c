@@ -165,6 +165,7 @@ static void shadow_destroy(struct shadow_set *set, struct gpu *gpu, struct light
 		return;
 	if (shadow->state != NULL)
 		set->technique->finish(shadow->state, gpu);
+	lit_parts_finish(&shadow->lit, &gpu->gl);
 	free(shadow->state);
 	free(shadow);
 }
@@ -193,6 +194,8 @@ void shadow_set_list_memory(const struct shadow_set *set, const struct memory_li
 			continue;
 		memory_list_processor(&of_light, "states of techniques",
 			sizeof(*set->shadows[i]) + set->technique->state_size);
+		memory_list_processor(
+			&of_light, "lit triangles", lit_parts_bytes(&set->shadows[i]->lit));
 		if (set->technique->list_memory != NULL)
 			set->technique->list_memory(set->shadows[i]->state, &of_light);
 	}
@@ -315,6 +318,7 @@ static bool draw_changes(struct shadow_set *set, struct gpu *gpu, struct light_s
 	if (skip_take(&gpu->skips, SKIP_LIGHT, same && !lacks))
 		return true;
 	shadow->mapped = false;
+	lit_parts_forget(&shadow->lit);
 	shadow->drawn = draw_seen(
 		technique, shadow->state, gpu, request, casters, lacks ? NULL : seen, error);
 	return shadow->drawn;

@@ -3,7 +3,7 @@
 #define SHADOW_SET_H
 
 #include "light_key.h"
-#include "need.h"
+#include "lit_parts.h"
 
 /** What one light throws. */
 struct light_shadow {
@@ -12,6 +12,7 @@ struct light_shadow {
 	struct light_key key;
 	bool mapped; /* the needs are those of what is drawn */
 	struct need_map needs;
+	struct lit_parts lit; /* by these needs */
 };
 
 /** One technique's states, a light each, made when first needed. */

@@ -180,17 +180,27 @@ static bool find_averted(const struct surface_pass *pass, const struct object *o
 		       (vec4 *)object->transform, pass->frame, renderer->needs, error);
 }
 
-/* Draws the tiles, or else the clusters, that have this need. */
+/* What an object is drawn by: either, or neither, which leaves its clusters. */
+struct division {
+	const struct tiles *tiles;
+	const struct lit_list *list;
+};
+
+/* Draws the tiles, or else the triangles or clusters, that have this need. */
 static bool draw_part(struct surface_pass *pass, const struct object *object,
-	const struct tiles *tiles, enum need need, uint64_t flags, struct sm_error *error)
+	const struct division *by, enum need need, uint64_t flags, struct sm_error *error)
 {
 	const struct gpu_mesh *mesh = &pass->renderer->gpu.scene.meshes[object->mesh];
 	if (!surface_pass_begin_object(pass, object, flags, error))
 		return false;
 	struct sm_renderer *renderer = pass->renderer;
-	bool split = tiles == NULL && renderer->averted.split;
-	if (tiles != NULL)
-		draw_tiles(pass, mesh, tiles, need);
+	bool whole = by->tiles == NULL && by->list == NULL;
+	bool split = whole && renderer->averted.split;
+	if (by->tiles != NULL)
+		draw_tiles(pass, mesh, by->tiles, need);
+	else if (by->list != NULL)
+		gpu_draw_indices(&renderer->gpu, mesh, by->list->buffer, by->list->first[need],
+			by->list->count[need]);
 	else if (!split || need < NEED_BEHIND)
 		draw_clusters(pass, mesh, need);
 	if (split)
@@ -202,63 +212,71 @@ static bool draw_part(struct surface_pass *pass, const struct object *object,
  * as the driver has it. A further light, which is added where the depth is the same, cannot tell
  * two passes apart. */
 static bool draw_need(struct surface_pass *pass, const struct object *object,
-	const struct tiles *tiles, enum need need, uint64_t flags, struct sm_error *error)
+	const struct division *by, enum need need, uint64_t flags, struct sm_error *error)
 {
 	const struct technique *technique = pass->renderer->shadows.technique;
 	uint64_t needed = flags_of(pass, flags, need);
 	if (need < NEED_BEHIND || pass->cells == NULL)
-		return draw_part(pass, object, tiles, need, needed, error);
+		return draw_part(pass, object, by, need, needed, error);
 	if (!pass->first || way_choose(&pass->renderer->gpu, DRIVER_BRANCH, NULL) == BRANCH_SHADER)
-		return draw_part(pass, object, tiles, need, needed | FLAG_CELLS, error);
+		return draw_part(pass, object, by, need, needed | FLAG_CELLS, error);
 	uint64_t edges = technique->surface_flags(pass->shadow->state) | FLAG_BEHIND;
 	uint64_t known = (needed & ~edges) | FLAG_CELLS;
-	return draw_part(pass, object, tiles, need, known, error) &&
-	       draw_part(pass, object, tiles, need, needed, error);
+	return draw_part(pass, object, by, need, known, error) &&
+	       draw_part(pass, object, by, need, needed, error);
 }
 
 /* How many parts there are, and how many of them do without the technique. */
 static void count_parts(
-	struct sm_renderer *renderer, const struct tiles *tiles, const struct gpu_mesh *mesh)
+	struct sm_renderer *renderer, const struct division *by, const struct gpu_mesh *mesh)
 {
-	size_t count = SCREEN_GRID_SIZE * SCREEN_GRID_SIZE, needy = 0;
-	if (tiles == NULL) {
-		count = mesh->cluster_count;
-	} else {
-		struct screen_grid all = tiles->of[NEED_TECHNIQUE];
-		screen_grid_unite(&all, &tiles->of[NEED_BEHIND]);
+	size_t count, needy = 0;
+	if (by->tiles != NULL) {
+		struct screen_grid all = by->tiles->of[NEED_TECHNIQUE];
+		screen_grid_unite(&all, &by->tiles->of[NEED_BEHIND]);
+		count = SCREEN_GRID_SIZE * SCREEN_GRID_SIZE;
 		needy = screen_grid_count(&all);
+	} else if (by->list != NULL) {
+		count = (size_t)mesh->surface_count / 3;
+		needy = (by->list->count[NEED_BEHIND] + by->list->count[NEED_TECHNIQUE]) / 3;
+	} else {
+		count = mesh->cluster_count;
+		for (size_t i = 0; i < count; i++)
+			needy += renderer->needs[i] >= NEED_BEHIND;
 	}
-	for (size_t i = 0; tiles == NULL && i < count; i++)
-		needy += renderer->needs[i] >= NEED_BEHIND;
 	skip_count(&renderer->gpu.skips, SKIP_RECEIVER, count, count - needy);
 }
 
-static bool has_clusters(
-	const struct sm_renderer *renderer, const struct gpu_mesh *mesh, enum need need)
+static bool has_need(const struct sm_renderer *renderer, const struct division *by,
+	const struct gpu_mesh *mesh, enum need need)
 {
+	if (by->tiles != NULL)
+		return true;
+	if (by->list != NULL)
+		return by->list->count[need] > 0;
 	return memchr(renderer->needs, need, mesh->cluster_count) != NULL ||
 	       (need == NEED_AMBIENT && renderer->averted.split);
 }
 
-bool surface_parts_draw(struct surface_pass *pass, const struct object *object, uint64_t flags,
-	struct sm_error *error)
+bool surface_parts_draw(struct surface_pass *pass, const struct object *object,
+	const struct lit_list *list, uint64_t flags, struct sm_error *error)
 {
 	struct sm_renderer *renderer = pass->renderer;
 	const struct gpu_mesh *mesh = &renderer->gpu.scene.meshes[object->mesh];
 	struct tiles tiles;
-	bool tiled = cut_to_tiles(pass, object, &tiles);
-	if (!tiled && (!find_needs(pass, object, mesh, error) ||
-			      !find_averted(pass, object, flags, error)))
+	struct division by = {.list = list};
+	if (cut_to_tiles(pass, object, &tiles))
+		by = (struct division){.tiles = &tiles};
+	else if (list == NULL && (!find_needs(pass, object, mesh, error) ||
+					 !find_averted(pass, object, flags, error)))
 		return false;
-	count_parts(renderer, tiled ? &tiles : NULL, mesh);
+	count_parts(renderer, &by, mesh);
 	/* What a further light does not reach it adds nothing to. */
 	enum need least = pass->first ? NEED_AMBIENT : NEED_LIGHT;
-	for (enum need need = least; need < NEED_COUNT; need++) {
-		if (!tiled && !has_clusters(renderer, mesh, need))
-			continue;
-		if (!draw_need(pass, object, tiled ? &tiles : NULL, need, flags, error))
+	for (enum need need = least; need < NEED_COUNT; need++)
+		if (has_need(renderer, &by, mesh, need) &&
+			!draw_need(pass, object, &by, need, flags, error))
 			return false;
-	}
 	return true;
 }
 

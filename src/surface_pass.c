@@ -169,6 +169,30 @@ static bool is_wanted(const struct surface_pass *pass, const struct object *obje
 	return wanted;
 }
 
+/* Whether single triangles are told apart, too: as shading has them, not visibility. */
+static bool has_lit_parts(const struct surface_pass *pass)
+{
+	const struct sm_renderer *renderer = pass->renderer;
+	return pass->light != NULL && has_parts(pass) && !pass->multisampled &&
+	       !(pass->flags & FLAG_VISIBILITY) &&
+	       renderer->shadows.technique->texels_around > 0.0f;
+}
+
+/* The object's triangles by need. NULL: its clusters tell. */
+static const struct lit_list *find_list(
+	const struct surface_pass *pass, const struct object *object)
+{
+	const struct mesh *mesh = &pass->scene->meshes[object->mesh];
+	const struct lit_list *list = NULL;
+	mat4 to_clip;
+	if (has_lit_parts(pass))
+		list = lit_parts_list(&pass->shadow->lit, (size_t)(object - pass->scene->objects));
+	if (list == NULL || object->single_sided)
+		return list;
+	glm_mat4_mul(pass->world_to_clip, (vec4 *)object->transform, to_clip);
+	return mesh_hides_back(mesh, to_clip) ? list : NULL;
+}
+
 static bool draw_object(
 	struct surface_pass *pass, const struct object *object, struct sm_error *error)
 {
@@ -178,7 +202,7 @@ static bool draw_object(
 	if (!is_wanted(pass, object))
 		return true;
 	if (flags & FLAG_SHADOWED && has_parts(pass))
-		return surface_parts_draw(pass, object, flags, error);
+		return surface_parts_draw(pass, object, find_list(pass, object), flags, error);
 	if (flags & FLAG_SHADOWED && pass->cells != NULL)
 		flags |= FLAG_CELLS;
 	if (!surface_pass_begin_object(pass, object, flags, error))
@@ -197,6 +221,21 @@ static float cone_of(const struct surface_pass *pass)
 	return pass->renderer->shadows.technique->fits_screen
 		       ? tanf(glm_rad(pass->light->angle) / 2.0f) / frame->half_extent
 		       : 1.0f;
+}
+
+static bool find_lit_parts(struct surface_pass *pass, struct sm_error *error)
+{
+	struct sm_renderer *renderer = pass->renderer;
+	struct light_shadow *shadow = pass->shadow;
+	if (!has_lit_parts(pass))
+		return true;
+	const struct lit_request request = {.scene = pass->scene,
+		.frame = pass->frame,
+		.technique = renderer->shadows.technique,
+		.state = shadow->state,
+		.needs = &shadow->needs,
+		.map_size = renderer->shadows.options.map_size};
+	return lit_parts_find_more(&shadow->lit, &renderer->gpu, &request, error);
 }
 
 /* Finds the light's needs, unless they are known from an earlier pass or frame. */
@@ -253,6 +292,8 @@ bool surface_pass_draw(struct surface_pass *pass, struct sm_error *error)
 	const struct draw_order *order = &pass->renderer->order;
 	bool drawn = true;
 	map_needs(pass);
+	if (!find_lit_parts(pass, error))
+		return false;
 	pass->program = NULL;
 	gl_push_group(gl, pass->flags & FLAG_POINTS      ? "points"
 			  : pass->flags & FLAG_RECEIVERS ? "receivers"

@@ -60,6 +60,7 @@ const struct technique technique_hard = {
 	.finish = hard_finish,
 	.prepare = hard_prepare,
 	.surface_flags = hard_surface_flags,
+	.texels_around = LOOKUP_REACH_NEAREST,
 	.casters = hard_casters,
 	.list_memory = hard_list_memory,
 	.bind = hard_bind,

@@ -81,6 +81,7 @@ const struct technique technique_pcf = {
 	.prepare = pcf_prepare,
 	.surface_flags = pcf_surface_flags,
 	.reach = pcf_reach,
+	.texels_around = LOOKUP_REACH_LINEAR,
 	.casters = pcf_casters,
 	.list_memory = pcf_list_memory,
 	.bind = pcf_bind,

@@ -80,6 +80,7 @@ const struct technique technique_pcss = {
 	.prepare = pcss_prepare,
 	.surface_flags = pcss_surface_flags,
 	.reach = pcss_reach,
+	.texels_around = LOOKUP_REACH_LINEAR,
 	.casters = pcss_casters,
 	.list_memory = pcss_list_memory,
 	.bind = pcss_bind,

@@ -241,6 +241,12 @@ const struct screen_depths *smoothie_soft_depths(const void *state)
 	return smoothie->fins.depths;
 }
 
+const struct fin_set *smoothie_fins(const void *state)
+{
+	const struct smoothie *smoothie = state;
+	return &smoothie->fins.set;
+}
+
 struct object_watch *smoothie_casters(void *state, const struct light_frame *frame, float *reach)
 {
 	struct smoothie *smoothie = state;
@@ -285,6 +291,8 @@ const struct technique technique_smoothie = {
 	.surface_flags = smoothie_surface_flags,
 	.soft_grid = smoothie_soft_grid,
 	.soft_depths = smoothie_soft_depths,
+	.texels_around = LOOKUP_REACH_LINEAR,
+	.fins = smoothie_fins,
 	.casters = smoothie_casters,
 	.list_memory = smoothie_list_memory,
 	.bind = smoothie_bind,

@@ -37,6 +37,7 @@ bool smoothie_prepare(void *state, struct gpu *gpu, const struct sm_scene *scene
 uint64_t smoothie_surface_flags(const void *state);
 const struct screen_grid *smoothie_soft_grid(const void *state);
 const struct screen_depths *smoothie_soft_depths(const void *state);
+const struct fin_set *smoothie_fins(const void *state);
 struct object_watch *smoothie_casters(void *state, const struct light_frame *frame, float *reach);
 void smoothie_list_memory(const void *state, const struct memory_list *list);
 void smoothie_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,

@@ -6,6 +6,7 @@
 #include "geom/screen_depths.h"
 #include "geom/screen_grid.h"
 #include "gles/gpu.h"
+#include "scene/fin_set.h"
 #include "scene/object_watch.h"
 
 /** Whether visibility is found at points of the view first (src/sparse_pass.h). */
@@ -98,6 +99,12 @@ struct technique {
 	/** How far on the light's screen, NDC, from where it is a surface may be darkened by a
 	 *  caster, beyond the texels of a bilinear look-up. NULL: no farther. */
 	float (*reach)(const void *state, const struct light_frame *frame);
+	/** How far around a surface, texels, the centres of those lie that it is compared with,
+	 * where that is all it looks up, within reach() of it: then what nothing is in front of is
+	 * lit. 0: it is not so. */
+	float texels_around;
+	/** Fins that darken surfaces as casters do; owned by the state. NULL: there are none. */
+	const struct fin_set *(*fins)(const void *state);
 	/** The watch on casters that prepare() draws by, and may leave some out by: those that are
 	 *  beside all that is looked up. reach: set to how far, NDC, from a surface a caster may be
 	 *  that what is looked up for it depends on, beyond the texels around. NULL, or it is: all

@@ -166,6 +166,56 @@ static void a_frame_without_memory_fails_and_leaves_nothing(void **state)
 	canvas_finish(&canvas);
 }
 
+/* Of which triangles nothing is in front is searched in further frames of a light that stays: with
+ * so many allocations allowed in them. Returns whether they were enough. */
+static bool search_with(struct rig *rig, const struct sm_view *view, unsigned long allowed)
+{
+	static const struct sm_shadow_options options = {.technique = "smoothie", .map_size = 64};
+	bool drawn = true;
+	rig_set_shadows(rig, &options);
+	rig_draw(rig, rig->scene, view);
+	allocations_left = allowed;
+	for (int frame = 0; frame < 4; frame++) {
+		struct sm_error error = {0};
+		bool done = sm_renderer_draw(rig->renderer, rig->scene, view, &error);
+		assert_int_equal(error.status, done ? SM_OK : SM_ERROR_MACHINE);
+		drawn = drawn && done;
+	}
+	allocations_left = ULONG_MAX;
+	return drawn;
+}
+
+static void a_search_without_memory_fails_and_leaves_nothing(void **state)
+{
+	struct rig *rig = *state;
+	struct canvas canvas;
+	struct sm_view view = {
+		.camera = {.eye = {4, 5, 6}, .up = {0, 1, 0}, .fov = 50},
+		.width = SIZE,
+		.height = SIZE,
+		.visibility_of = SM_NONE,
+	};
+	parts_add_light(rig->scene, &lamp);
+	parts_add_object(rig->scene, parts_add_sphere(rig->scene, 8), PART_BOTH,
+		&(struct pose){.scale = {1, 1, 1}, .position = {0, 1, 0}});
+	canvas_init(&canvas, GL_RGBA8, SIZE, SIZE);
+	view.framebuffer = canvas.framebuffer;
+	assert_true(search_with(rig, &view, ULONG_MAX));
+	uint8_t *whole = canvas_read(&canvas);
+	unsigned long allowed = 0;
+	for (bool drawn = false; !drawn; allowed++) {
+		drawn = search_with(rig, &view, allowed);
+		for (int frame = 0; frame < 6; frame++)
+			rig_draw(rig, rig->scene, &view);
+		uint8_t *again = canvas_read(&canvas);
+		assert_memory_equal(again, whole, SIZE * SIZE * 4);
+		free(again);
+	}
+	assert_in_range(allowed, 8, 1000);
+	free(whole);
+	canvas_finish(&canvas);
+}
+
 static void moving_things_allocates_nothing(void **state)
 {
 	struct rig *rig = *state;
@@ -206,6 +256,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		rig_test(the_same_frame_allocates_nothing),
 		rig_test(a_frame_without_memory_fails_and_leaves_nothing),
+		rig_test(a_search_without_memory_fails_and_leaves_nothing),
 		rig_test(moving_things_allocates_nothing),
 		rig_test(copying_to_a_screen_allocates_nothing),
 	};

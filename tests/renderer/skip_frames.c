@@ -21,6 +21,8 @@
 #define LEDGES 20  /* moves of one */
 #define GLANCES 50 /* at a part of a scene */
 #define BRINKS 40  /* of a shadow, looked at */
+#define STAYS 6    /* scenes in which the camera alone moves */
+#define STAY 12    /* frames of one */
 #define CROWD 12   /* of which one moves */
 #define WIDTH 96
 #define HEIGHT 64
@@ -519,6 +521,24 @@ static void play_brinks(struct run *run, const struct sm_shadow_options *options
 	sm_scene_destroy(run->scene);
 }
 
+/* Random scenes that stay as they are while they are looked at from all about. */
+static void play_stays(struct run *run, const struct sm_shadow_options *options)
+{
+	for (uint32_t scene = 0; scene < STAYS; scene++) {
+		make_scene(run);
+		init_canvases(run, 3 * scene);
+		use_shadows(run, options);
+		for (uint32_t frame = 0; frame < STAY; frame++) {
+			draw_by_both(run,
+				SCENES + 4 * COUNT(choices) + (uint32_t)(options - choices), frame);
+			change_camera(run);
+		}
+		canvas_finish(&run->canvases[0]);
+		canvas_finish(&run->canvases[1]);
+		sm_scene_destroy(run->scene);
+	}
+}
+
 /* A skip that never happens, or always does, has not been tested. */
 static void check_counts(const struct run *run)
 {
@@ -559,6 +579,8 @@ static void skips_do_not_show(void **state)
 		play_glances(&run, &choices[i]);
 	for (size_t i = 0; i < COUNT(choices); i++)
 		play_brinks(&run, &choices[i]);
+	for (size_t i = 0; i < COUNT(choices); i++)
+		play_stays(&run, &choices[i]);
 	check_counts(&run);
 	sm_renderer_destroy(run.skipping);
 }
