@@ -122,11 +122,9 @@ void need_map_find(struct need_map *map, const struct gpu_scene *gpu, const stru
 		map->cells = *soft;
 }
 
-static bool has_need(
-	const struct need_map *map, enum need need, const float min[3], const float max[3])
+/* Whether surfaces need the technique, in the cells that tell. */
+static bool is_soft(const struct need_map *map, const float min[3], const float max[3])
 {
-	if (need < NEED_BEHIND || !map->by_cells)
-		return screen_cover_touches(&map->casters, min, max);
 	return screen_grid_touches(&map->cells, min, max) &&
 	       (map->soft == NULL ||
 		       screen_depths_before(map->soft, min, max, 0.5f * max[2] + 0.5f));
@@ -146,10 +144,12 @@ enum need need_of_space(const struct need_map *map, const float min[3], const fl
 	float cone = map->cone;
 	if (max[0] < -cone || min[0] > cone || max[1] < -cone || min[1] > cone)
 		return NEED_AMBIENT;
-	enum need need = is_behind(map, min, max) ? NEED_BEHIND : NEED_TECHNIQUE;
-	while (need > NEED_LIGHT && !has_need(map, need, min, max))
-		need--;
-	return need;
+	enum need technique = is_behind(map, min, max) ? NEED_BEHIND : NEED_TECHNIQUE;
+	if (map->by_cells && is_soft(map, min, max))
+		return technique;
+	if (!screen_cover_touches(&map->casters, min, max))
+		return NEED_LIGHT;
+	return map->by_cells ? NEED_MAP : technique;
 }
 
 enum need need_of_box(const struct need_map *map, mat4 to_light_clip, const struct cluster *box)
