@@ -210,7 +210,10 @@ static bool choose_map_flags(struct shadow_set *set, struct gpu *gpu, struct sm_
 		return true;
 	if (!depth_ways_choose(&ways, gpu, error))
 		return false;
-	set->map_flags = FLAG_SHADOWED | FLAG_HARD | ways.compare;
+	/* Four texels apart, as the technique has them: a sampler that blends may round otherwise.
+	 */
+	set->map_flags = FLAG_SHADOWED | FLAG_HARD |
+			 (ways.taps_plainly ? FLAG_FOUR_FETCHES | ways.plain : FLAG_GATHER);
 	return true;
 }
 
