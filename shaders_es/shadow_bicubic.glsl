@@ -10,10 +10,10 @@ vec4 spline_weights(float f)
 }
 
 // Of the 2x2 texels at a corner, compared at the receiver's plane amid them.
-float lit_share(vec2 corner, vec2 texel, vec3 plane, vec2 x, vec2 y)
+float dark_share(vec2 corner, vec2 texel, vec3 plane, vec2 x, vec2 y)
 {
 	float depth = plane.z + dot(plane.xy, corner + 0.5 - texel);
-	return dot(fetch_lit(corner, depth), vec4(x.x, x.y, x.y, x.x) * vec4(y.y, y.y, y.x, y.x));
+	return dot(1.0 - fetch_lit(corner, depth), vec4(x.x, x.y, x.y, x.x) * vec4(y.y, y.y, y.x, y.x));
 }
 
 float shadow_visibility(vec3 p)
@@ -26,8 +26,10 @@ float shadow_visibility(vec3 p)
 	vec2 base = floor(texel);
 	vec4 x = spline_weights(texel.x - base.x);
 	vec4 y = spline_weights(texel.y - base.y);
-	return lit_share(base - 1.0, texel, plane, x.xy, y.xy) +
-	       lit_share(base + vec2(1.0, -1.0), texel, plane, x.zw, y.xy) +
-	       lit_share(base + vec2(-1.0, 1.0), texel, plane, x.xy, y.zw) +
-	       lit_share(base + 1.0, texel, plane, x.zw, y.zw);
+	// Where all is lit this is 1 exactly, which the weights' sum is not.
+	float dark = dark_share(base - 1.0, texel, plane, x.xy, y.xy) +
+		     dark_share(base + vec2(1.0, -1.0), texel, plane, x.zw, y.xy) +
+		     dark_share(base + vec2(-1.0, 1.0), texel, plane, x.xy, y.zw) +
+		     dark_share(base + 1.0, texel, plane, x.zw, y.zw);
+	return max(1.0 - dark, 0.0);
 }
