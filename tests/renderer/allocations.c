@@ -59,6 +59,17 @@ static void set_up(struct sm_scene *scene)
 		scene, parts_add_square(scene), PART_RECEIVES, &(struct pose){.scale = {4, 1, 4}});
 }
 
+static struct sm_view view_of(const struct canvas *canvas)
+{
+	return (struct sm_view){
+		.camera = {.eye = {4, 5, 6}, .up = {0, 1, 0}, .fov = 50},
+		.framebuffer = canvas->framebuffer,
+		.width = SIZE,
+		.height = SIZE,
+		.visibility_of = SM_NONE,
+	};
+}
+
 static void the_same_frame_allocates_nothing(void **state)
 {
 	struct rig *rig = *state;
@@ -87,14 +98,9 @@ static void the_same_frame_allocates_nothing(void **state)
 	set_up(rig->scene);
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct canvas canvas;
-		struct sm_view view = {
-			.camera = {.eye = {4, 5, 6}, .up = {0, 1, 0}, .fov = 50},
-			.width = SIZE,
-			.height = SIZE,
-			.visibility_of = cases[i].visibility_of,
-		};
 		canvas_init(&canvas, cases[i].format, SIZE, SIZE);
-		view.framebuffer = canvas.framebuffer;
+		struct sm_view view = view_of(&canvas);
+		view.visibility_of = cases[i].visibility_of;
 		rig_set_shadows(rig, &cases[i].options);
 		allocations = 0;
 		rig_draw(rig, rig->scene, &view);
@@ -146,19 +152,13 @@ static void a_frame_without_memory_fails_and_leaves_nothing(void **state)
 		{{.precision = SM_PRECISION_FIXED12, .map_size = 64}, 4},
 	};
 	struct canvas canvas;
-	struct sm_view view = {
-		.camera = {.eye = {4, 5, 6}, .up = {0, 1, 0}, .fov = 50},
-		.width = SIZE,
-		.height = SIZE,
-		.visibility_of = SM_NONE,
-	};
 	parts_add_light(rig->scene, &lamp);
 	parts_add_object(rig->scene, parts_add_sphere(rig->scene, 4), PART_BOTH,
 		&(struct pose){.scale = {1, 1, 1}, .position = {0, 1, 0}});
 	parts_add_object(rig->scene, parts_add_square(rig->scene), PART_RECEIVES,
 		&(struct pose){.scale = {4, 1, 4}});
 	canvas_init(&canvas, GL_RGBA8, SIZE, SIZE);
-	view.framebuffer = canvas.framebuffer;
+	struct sm_view view = view_of(&canvas);
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		unsigned long count = starve(rig, &cases[i].options, &view, &canvas);
 		assert_in_range(count, cases[i].least, 1000);
@@ -189,17 +189,11 @@ static void a_search_without_memory_fails_and_leaves_nothing(void **state)
 {
 	struct rig *rig = *state;
 	struct canvas canvas;
-	struct sm_view view = {
-		.camera = {.eye = {4, 5, 6}, .up = {0, 1, 0}, .fov = 50},
-		.width = SIZE,
-		.height = SIZE,
-		.visibility_of = SM_NONE,
-	};
 	parts_add_light(rig->scene, &lamp);
 	parts_add_object(rig->scene, parts_add_sphere(rig->scene, 8), PART_BOTH,
 		&(struct pose){.scale = {1, 1, 1}, .position = {0, 1, 0}});
 	canvas_init(&canvas, GL_RGBA8, SIZE, SIZE);
-	view.framebuffer = canvas.framebuffer;
+	struct sm_view view = view_of(&canvas);
 	assert_true(search_with(rig, &view, ULONG_MAX));
 	uint8_t *whole = canvas_read(&canvas);
 	unsigned long allowed = 0;
