@@ -42,12 +42,12 @@ static inline void set_search_fetch(const struct set_search *search, uint16_t co
 static inline struct silhouette_edge set_search_edge(
 	const struct set_search *search, uint16_t corner)
 {
-	unsigned t = corner % EDGE_BLOCK, k = corner / EDGE_BLOCK % 4;
-	size_t b = search->first + corner / 256;
+	/* By k, and from 4 on for triangles that face the light: the edge's ends. */
+	static const uint8_t from[8] = {1, 2, 0, 0, 0, 1, 2, 0}, to[8] = {0, 1, 2, 0, 1, 2, 0, 0};
+	size_t b = search->first + corner / 256, t = corner % EDGE_BLOCK;
 	const uint32_t *corners = &search->caster->indices[3 * (b * EDGE_BLOCK + t)];
-	uint32_t from = corners[k], to = corners[(0x9u >> 2 * k) % 4];
-	uint32_t swap = (from ^ to) & ((uint32_t)(search->facing[b] >> t & 1) - 1);
-	return (struct silhouette_edge){from ^ swap, to ^ swap};
+	unsigned side = corner / EDGE_BLOCK % 4 + 4 * (unsigned)(search->facing[b] >> t & 1);
+	return (struct silhouette_edge){corners[from[side]], corners[to[side]]};
 }
 
 #endif

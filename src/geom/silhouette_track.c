@@ -357,15 +357,15 @@ static bool find_alone(const struct search *search)
 	const struct caster *caster = search->test->caster;
 	const uint64_t *facing = track->facing.facing;
 	facing_find_sets(search->test, 0, edge_table_sets(&caster->edges), track->facing.facing);
-	size_t count = silhouette_find(caster, facing, track->next, track->next_capacity);
-	if (count > track->next_capacity) {
-		if (!array_reserve((void **)&track->next, &track->next_capacity, count,
-			    sizeof(*track->next)))
+	size_t count = silhouette_find(caster, facing, track->kept, track->kept_capacity);
+	if (count > track->kept_capacity) {
+		if (!array_reserve((void **)&track->kept, &track->kept_capacity, count,
+			    sizeof(*track->kept)))
 			return false;
-		silhouette_find(caster, facing, track->next, count);
+		silhouette_find(caster, facing, track->kept, count);
 	}
-	track->edge_count = count;
-	swap_edges(track);
+	track->edges = track->kept;
+	track->edge_count = track->kept_count = count;
 	return true;
 }
 
