@@ -31,7 +31,7 @@
 struct lit_shape {
 	uint32_t vertices[3], object;
 	float min[2], max[2]; /* NDC */
-	float near;           /* NDC depth that no part of it is before */
+	float near, far;      /* NDC depth that no part of it is before, or beyond */
 	uint8_t first[2];     /* cell */
 };
 _Static_assert(LIT_CELLS_MAX <= UINT8_MAX + 1, "cells are counted in bytes");
@@ -55,6 +55,7 @@ struct receiver {
 	double min[2], max[2];
 	double gap;   /* NDC depth */
 	double clear; /* NDC depth, from which on nothing can matter */
+	double touch; /* NDC depth, before which nothing can touch it */
 	bool averted; /* no light arrives, whatever is in front */
 	size_t visits;
 	const struct lit_shape *self;
@@ -115,8 +116,11 @@ static bool add_vertex(struct lit_shape *shape, const double v[4])
 		shape->max[axis] = fmaxf(shape->max[axis], at);
 		finite = finite && isfinite(at);
 	}
-	if (finite)
-		shape->near = fminf(shape->near, (float)(v[2] / v[3]));
+	if (finite) {
+		float depth = (float)(v[2] / v[3]);
+		shape->near = fminf(shape->near, depth);
+		shape->far = fmaxf(shape->far, depth);
+	}
 	return finite;
 }
 
@@ -126,7 +130,8 @@ static void add_shape(struct lit_search *search, const uint32_t vertices[3], uin
 	struct lit_shape shape = {.object = object,
 		.min = {INFINITY, INFINITY},
 		.max = {-INFINITY, -INFINITY},
-		.near = INFINITY};
+		.near = INFINITY,
+		.far = -INFINITY};
 	int behind = 0;
 	bool finite = true;
 	for (int i = 0; i < 3; i++) {
@@ -139,7 +144,7 @@ static void add_shape(struct lit_search *search, const uint32_t vertices[3], uin
 		return;
 	if (!finite) {
 		shape.min[0] = shape.min[1] = shape.near = -INFINITY;
-		shape.max[0] = shape.max[1] = INFINITY;
+		shape.max[0] = shape.max[1] = shape.far = INFINITY;
 	}
 	search->shapes[search->shape_count++] = shape;
 }
@@ -363,9 +368,10 @@ static bool find_receiver(struct receiver *receiver, const float triangle[3][3],
 	if (!project(clip, receiver->points) || !find_plane(receiver->points, &receiver->plane))
 		return false;
 	double(*p)[3] = receiver->points;
+	double around = receiver->averted ? BESIDE : rule->around;
 	for (int axis = 0; axis < 2; axis++) {
-		receiver->min[axis] = fmin(fmin(p[0][axis], p[1][axis]), p[2][axis]) - rule->around;
-		receiver->max[axis] = fmax(fmax(p[0][axis], p[1][axis]), p[2][axis]) + rule->around;
+		receiver->min[axis] = fmin(fmin(p[0][axis], p[1][axis]), p[2][axis]) - around;
+		receiver->max[axis] = fmax(fmax(p[0][axis], p[1][axis]), p[2][axis]) + around;
 	}
 	receiver->slope = slope_of(&receiver->plane);
 	receiver->gap = fmax(fmax(gap_at(0.5 * p[0][2] + 0.5, rule->near_to_far),
@@ -375,6 +381,7 @@ static bool find_receiver(struct receiver *receiver, const float triangle[3][3],
 	 */
 	receiver->clear = fmax(fmax(p[0][2], p[1][2]), p[2][2]) +
 			  receiver->slope * fmax(-rule->bias, 0.0) + receiver->gap + FLAT;
+	receiver->touch = fmin(fmin(p[0][2], p[1][2]), p[2][2]) - receiver->gap - FLAT;
 	return receiver->averted || follows_slope(receiver, rule);
 }
 
@@ -567,6 +574,13 @@ static bool is_clear(const struct lit_search *search, struct receiver *receiver,
 	return shape->object != receiver->object || !touches(receiver, shape, clip);
 }
 
+/* Whether it can matter: to one that no light arrives at, what touches it alone does. */
+static bool concerns(const struct receiver *receiver, const struct lit_shape *shape)
+{
+	return !receiver->averted ||
+	       (shape->object == receiver->object && shape->far >= receiver->touch);
+}
+
 static bool is_beside(const struct receiver *receiver, const struct lit_shape *shape)
 {
 	for (int axis = 0; axis < 2; axis++)
@@ -596,7 +610,8 @@ static bool cell_is_clear(const struct lit_search *search, struct receiver *rece
 			break;
 		if (++receiver->visits >= LIT_VISITS_MAX)
 			return false;
-		if (!is_first(shape, cells, x, y) || is_beside(receiver, shape))
+		if (!concerns(receiver, shape) || !is_first(shape, cells, x, y) ||
+			is_beside(receiver, shape))
 			continue;
 		receiver->visits += CLOSE_VISITS;
 		if (!is_clear(search, receiver, shape, rule))
