@@ -168,8 +168,9 @@ void facing_test_init(struct facing_test *test, const struct caster *caster, con
 }
 
 /* Without cones, or a light that they can tell about, each triangle is tested. */
-static void find_batch(const struct facing_test *test, size_t first, uint64_t *facing)
+static size_t find_batch(const struct facing_test *test, size_t first, uint64_t *facing)
 {
+	size_t tested = 0;
 	size_t blocks = facing_words(test->caster);
 	uint8_t sides[CONE_BATCH] = {CONE_MIXED};
 	if (test->cones)
@@ -177,10 +178,12 @@ static void find_batch(const struct facing_test *test, size_t first, uint64_t *f
 	for (size_t b = first; b < blocks && b < first + CONE_BATCH; b++) {
 		uint8_t side = sides[b - first];
 		int least;
+		tested += side == CONE_MIXED;
 		facing[b] = side != CONE_MIXED ? word_of_side(test->caster, b, side)
 					       : facing_word(test->caster, b, &test->planes,
 							 test->light, &least);
 	}
+	return tested;
 }
 
 /* The block behind the last set. */
@@ -190,35 +193,36 @@ static size_t sets_end(const struct caster *caster, size_t end)
 	return end * EDGE_BLOCK_SET < blocks ? end * EDGE_BLOCK_SET : blocks;
 }
 
-void facing_find_sets(const struct facing_test *test, size_t first, size_t end, uint64_t *facing)
+size_t facing_find_sets(const struct facing_test *test, size_t first, size_t end, uint64_t *facing)
 {
-	size_t begin = first * EDGE_BLOCK_SET, behind = sets_end(test->caster, end);
+	size_t begin = first * EDGE_BLOCK_SET, behind = sets_end(test->caster, end), tested = 0;
 	if (!test->finite) {
 		memset(&facing[begin], 0, (behind - begin) * sizeof(*facing));
-		return;
+		return 0;
 	}
 	for (size_t b = begin; b < behind; b += CONE_BATCH)
-		find_batch(test, b, facing);
+		tested += find_batch(test, b, facing);
+	return tested;
 }
 
-static void find_by(const struct facing_test *test, uint64_t *facing)
+static size_t find_by(const struct facing_test *test, uint64_t *facing)
 {
-	facing_find_sets(test, 0, edge_table_sets(&test->caster->edges), facing);
+	return facing_find_sets(test, 0, edge_table_sets(&test->caster->edges), facing);
 }
 
-void facing_find(const struct caster *caster, const float light[4], uint64_t *facing)
+size_t facing_find(const struct caster *caster, const float light[4], uint64_t *facing)
 {
 	struct facing_test test;
 	facing_test_init(&test, caster, light);
-	find_by(&test, facing);
+	return find_by(&test, facing);
 }
 
-void facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing)
+size_t facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing)
 {
 	struct facing_test test;
 	facing_test_init(&test, caster, light);
 	test.cones = false;
-	find_by(&test, facing);
+	return find_by(&test, facing);
 }
 
 /*
@@ -229,8 +233,10 @@ void facing_find_all(const struct caster *caster, const float light[4], uint64_t
  * By sums: where the distance to the middle is s, the value is at least (s - 3.12) / 2^14 of the
  * scale. It stays above .88 / 2^14 of it within what is returned, and the scale grows to twice
  * itself at most, so that the exact test still tells the same: see plane_light_init().
+ *
+ * tested: counted up where its triangles are.
  */
-static float test_block(const struct facing_test *test, size_t b, uint64_t *word)
+static float test_block(const struct facing_test *test, size_t b, uint64_t *word, size_t *tested)
 {
 	int least;
 	float slack;
@@ -242,6 +248,7 @@ static float test_block(const struct facing_test *test, size_t b, uint64_t *word
 			return slack;
 	}
 	*word = facing_word(test->caster, b, &test->planes, test->light, &least);
+	*tested += 1;
 	return (float)(least - UNSURE_HALF) / 16384.0f;
 }
 
@@ -283,23 +290,24 @@ static uint64_t expire(float safe[EDGE_BLOCK_SET], float way)
 	return pack_bytes(expired);
 }
 
-/* Returns how many blocks are tested. */
+/* Returns of how many blocks the triangles are tested. */
 static size_t renew_set(
 	const struct facing_test *test, float way, size_t set, struct facing_track *track)
 {
 	size_t first = set * EDGE_BLOCK_SET, count = sets_end(test->caster, set + 1) - first;
 	uint64_t expired =
 		expire(&track->safe[first], way) & UINT64_MAX >> (EDGE_BLOCK_SET - count);
+	size_t tested = 0;
 	track->changed[set] = 0;
 	for (uint64_t left = expired; left != 0; left &= left - 1) {
 		size_t b = first + (size_t)__builtin_ctzll(left);
 		uint64_t word = track->facing[b];
-		float share = test_block(test, b, &word);
+		float share = test_block(test, b, &word, &tested);
 		share = share < 1.0f ? share : 1.0f;
 		track->safe[b] = share > 0.0f ? share * test->scale * BELOW : 0.0f;
 		turn(track, b, word);
 	}
-	return (size_t)__builtin_popcountll(expired);
+	return tested;
 }
 
 /* Nothing faces a light that is not finite. */

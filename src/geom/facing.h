@@ -14,12 +14,13 @@ size_t facing_words(const struct caster *caster);
  * never one without area.
  *
  * light: object space, homogeneous: w = 1 a point, w = 0 the direction towards the light.
- * facing: [facing_words()], overwritten; bits past the last triangle are zero.
+ * facing: [facing_words()], overwritten; bits past the last triangle are zero. Returns of how many
+ * blocks the triangles were tested: of the others, all face the light or none does.
  */
-void facing_find(const struct caster *caster, const float light[4], uint64_t *facing);
+size_t facing_find(const struct caster *caster, const float light[4], uint64_t *facing);
 
 /** The same bits, with each triangle tested by itself: what facing_find() is measured against. */
-void facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing);
+size_t facing_find_all(const struct caster *caster, const float light[4], uint64_t *facing);
 
 /** A light as the quantised planes see it. Once for each triangle of a block: what is the same in
  *  each round of a loop, Clang widens before it, and then finds no instruction for the upper half
@@ -42,7 +43,7 @@ struct facing_test {
 void facing_test_init(struct facing_test *test, const struct caster *caster, const float light[4]);
 
 /** facing_find() for the sets of EDGE_BLOCK_SET blocks from first up to end. */
-void facing_find_sets(const struct facing_test *test, size_t first, size_t end, uint64_t *facing);
+size_t facing_find_sets(const struct facing_test *test, size_t first, size_t end, uint64_t *facing);
 
 /** Elements of one a block, in whole sets. */
 size_t facing_padded(const struct caster *caster);
@@ -67,7 +68,8 @@ float facing_track_move(
 	struct facing_track *track, const struct caster *caster, const float light[4]);
 
 /** Makes the facing of some sets that of the light that the track has moved on to, as facing_find()
- *  finds it. Blocks of which no triangle can have turned are not tested: returns how many are. */
+ *  finds it. Blocks of which no triangle can have turned are not looked at. Returns of how many the
+ *  triangles were tested. */
 size_t facing_renew_sets(const struct facing_test *test, float way, size_t first, size_t end,
 	struct facing_track *track);
 

@@ -11,6 +11,7 @@ struct sheet_rule {
 	 * surface, one that begins outside, as many triangles face as do not. */
 	size_t one_sided;
 	bool mirrored; /* the object's transform turns left and right around */
+	bool all;      /* nothing is passed over: silhouette_find_all() */
 };
 
 /**

@@ -141,7 +141,8 @@ static void find_facing(void *data, unsigned index)
 {
 	const struct search *search = data;
 	struct track_part *part = &search->track->parts[index];
-	facing_find_sets(search->test, part->first, part->end, search->track->facing.facing);
+	part->tested = facing_find_sets(
+		search->test, part->first, part->end, search->track->facing.facing);
 }
 
 /* Appends what is listed of a set's blocks. */
@@ -350,23 +351,35 @@ static bool track_step(struct search *search, double way)
 	return true;
 }
 
+/* silhouette_find(), or the same. */
+typedef size_t find_fn(const struct caster *caster, const uint64_t *facing,
+	struct silhouette_edge *edges, size_t capacity);
+
+/* Takes what is found for the facing that there is. */
+static bool take_edges(struct silhouette_track *track, const struct caster *caster, find_fn *find)
+{
+	const uint64_t *facing = track->facing.facing;
+	size_t count = find(caster, facing, track->kept, track->kept_capacity);
+	if (count > track->kept_capacity) {
+		if (!array_reserve((void **)&track->kept, &track->kept_capacity, count,
+			    sizeof(*track->kept)))
+			return false;
+		find(caster, facing, track->kept, count);
+	}
+	track->edges = track->kept;
+	track->edge_count = track->kept_count = count;
+	track->searched = track->block_count;
+	return true;
+}
+
 /* Alone, where nothing is kept, edges need not be listed first. */
 static bool find_alone(const struct search *search)
 {
 	struct silhouette_track *track = search->track;
 	const struct caster *caster = search->test->caster;
-	const uint64_t *facing = track->facing.facing;
-	facing_find_sets(search->test, 0, edge_table_sets(&caster->edges), track->facing.facing);
-	size_t count = silhouette_find(caster, facing, track->kept, track->kept_capacity);
-	if (count > track->kept_capacity) {
-		if (!array_reserve((void **)&track->kept, &track->kept_capacity, count,
-			    sizeof(*track->kept)))
-			return false;
-		silhouette_find(caster, facing, track->kept, count);
-	}
-	track->edges = track->kept;
-	track->edge_count = track->kept_count = count;
-	return true;
+	track->tested = facing_find_sets(
+		search->test, 0, edge_table_sets(&caster->edges), track->facing.facing);
+	return take_edges(track, caster, silhouette_find);
 }
 
 static bool find_shared(struct search *search)
@@ -381,10 +394,7 @@ static bool find_plainly(struct search *search)
 {
 	struct silhouette_track *track = search->track;
 	track->plain = true;
-	if (!(search->parts > 1 ? find_shared(search) : find_alone(search)))
-		return false;
-	track->tested = track->searched = track->block_count;
-	return true;
+	return search->parts > 1 ? find_shared(search) : find_alone(search);
 }
 
 /* Nothing has changed since the last time. */
@@ -431,6 +441,20 @@ bool silhouette_track(struct silhouette_track *track, const struct caster *caste
 	}
 	if (track_light(track, caster, light, workers))
 		return true;
+	silhouette_track_finish(track);
+	return false;
+}
+
+bool silhouette_track_all(
+	struct silhouette_track *track, const struct caster *caster, const float light[4])
+{
+	/* What is known of the caster is of another place. */
+	track->version = 0;
+	if (reserve(track, caster)) {
+		track->tested = facing_find_all(caster, light, track->facing.facing);
+		if (take_edges(track, caster, silhouette_find_all))
+			return true;
+	}
 	silhouette_track_finish(track);
 	return false;
 }

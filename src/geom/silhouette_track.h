@@ -35,7 +35,7 @@ struct track_part {
 struct silhouette_track {
 	const struct silhouette_edge *edges; /* as silhouette_find() finds them */
 	size_t edge_count;
-	size_t tested, searched; /* blocks, the last time */
+	size_t tested, searched; /* blocks, the last time: for triangles that face, and for edges */
 	struct facing_track facing;
 	/* Owned, but for edges */
 	uint64_t version; /* the caster's; 0: none */
@@ -58,6 +58,11 @@ struct silhouette_track {
  *  the track is empty then. */
 bool silhouette_track(struct silhouette_track *track, const struct caster *caster,
 	const float light[4], struct workers *workers);
+
+/** The same with nothing passed over: each triangle is tested, and each edge looked at. */
+bool silhouette_track_all(
+	struct silhouette_track *track, const struct caster *caster, const float light[4]);
+
 void silhouette_track_finish(struct silhouette_track *track);
 
 /** Of memory. */

@@ -10,6 +10,8 @@ static const struct {
 	[SKIP_LIGHT] = {"light", "what a light sees, while it and the objects stay as they are"},
 	[SKIP_STATIC] = {"static", "what a light sees beside objects that have changed"},
 	[SKIP_CASTER] = {"caster", "an object that is beside a light's screen"},
+	[SKIP_TRIANGLE] = {"triangle",
+		"64 triangles of which it is known which side they show a light"},
 	[SKIP_RECEIVER] = {"receiver",
 		"all but a hard shadow, or light itself, on what no penumbra can reach"},
 	[SKIP_VOLUME] = {"volume", "an object whose shadow volume misses the view"},

@@ -314,6 +314,7 @@ void edge_chains_clear(struct edge_chains *chains)
 	chains->count = 0;
 	chains->edge_count = 0;
 	chains->hollow_count = 0;
+	chains->block_count = chains->tested_count = 0;
 }
 
 bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
@@ -326,6 +327,7 @@ bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
 	view->parallel = frame->parallel;
 	view->disc = frame->disc;
 	view->rule = mesh_sheet_rule(mesh, (vec4 *)object->transform, view->to_clip);
+	view->rule.all = chains->tests_all;
 	view->cut = !mesh_beyond_near(mesh, view->to_clip);
 	if (!array_reserve((void **)&chains->facing, &chains->facing_capacity,
 		    facing_words(view->caster), sizeof(*chains->facing)))
@@ -333,7 +335,9 @@ bool edge_chains_see(struct edge_chains *chains, const struct sm_scene *scene,
 	mat4 to_object;
 	glm_mat4_inv((vec4 *)object->transform, to_object);
 	glm_mat4_mulv(to_object, (float *)frame->origin, view->light);
-	facing_find(view->caster, view->light, chains->facing);
+	chains->block_count += facing_words(view->caster);
+	chains->tested_count += (chains->tests_all ? facing_find_all : facing_find)(
+		view->caster, view->light, chains->facing);
 	view->facing = chains->facing;
 	return true;
 }

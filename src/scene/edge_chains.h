@@ -66,6 +66,9 @@ struct edge_chains {
 	size_t edge_count;
 	struct chain_hollow *hollows; /* [hollow_count], owned */
 	size_t hollow_count;
+	bool tests_all; /* set by the owner: no triangle and no edge is passed over */
+	/* Blocks of triangles, since the last clear, and those that were tested one by one. */
+	size_t block_count, tested_count;
 	/* Working memory; owned */
 	uint64_t *facing, *back;
 	struct silhouette_edge *edges;

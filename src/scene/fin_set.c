@@ -158,9 +158,12 @@ static bool add_caster(struct fin_set *set, const struct fin_search *search,
 	vec4 light;
 	glm_mat4_inv((vec4 *)object->transform, to_object);
 	glm_mat4_mulv(to_object, (float *)search->frame->origin, light);
-	if (!silhouette_track(track, caster, light, set->workers) ||
-		!append_fins(set, caster, track, &params))
+	bool found = set->tests_all ? silhouette_track_all(track, caster, light)
+				    : silhouette_track(track, caster, light, set->workers);
+	if (!found || !append_fins(set, caster, track, &params))
 		return false;
+	set->block_count += facing_words(caster);
+	set->tested_count += track->tested;
 	part->edge_count = track->edge_count;
 	part->count = set->count - part->first;
 	mark_fins(set, part, search->map_size);
@@ -257,6 +260,7 @@ void fin_set_clear(struct fin_set *set)
 {
 	set->count = set->part_count = 0;
 	set->edge_count = set->caster_count = set->missing_count = set->left_out_count = 0;
+	set->block_count = set->tested_count = 0;
 }
 
 bool fin_set_update(struct fin_set *set, const struct sm_scene *scene,

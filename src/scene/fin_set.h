@@ -46,11 +46,14 @@ struct fin_set {
 	size_t count;
 	struct fin_law law; /* of all */
 	bool both_sides;
+	bool tests_all;         /* set by the owner: silhouette_track_all() */
 	struct fin_part *parts; /* of each object; owned */
 	size_t part_count;
 	size_t edge_count; /* of silhouettes that were looked for and fins are on */
 	size_t caster_count, missing_count; /* casters, and those that were left out */
 	size_t left_out_count;              /* fins, of edges that were looked for: too fine */
+	size_t block_count, tested_count;   /* of triangles of those that were looked for, and of
+					       these, those whose triangles were tested */
 	struct workers *workers;            /* share the search of large meshes; not owned, may
 					       be NULL */
 	/* Working memory; owned */

@@ -50,6 +50,7 @@ static bool find_fins(struct fin_stream *stream, struct gpu *gpu, const struct s
 	GLsizei map_size = casters->target.size;
 	gl_push_group(&gpu->gl, "silhouettes");
 	double start = processor_ms();
+	stream->set.tests_all = gpu->skips.off[SKIP_TRIANGLE];
 	bool built = fin_set_update(&stream->set, scene, frame, shape, (uint32_t)map_size,
 		!gpu->skips.off[SKIP_CASTER], &casters->watch, changed);
 	screen_grid_clear(&stream->grid);
@@ -58,6 +59,8 @@ static bool find_fins(struct fin_stream *stream, struct gpu *gpu, const struct s
 			screen_grid_unite(&stream->grid, &stream->set.parts[i].grid);
 		skip_count(&gpu->skips, SKIP_CASTER, stream->set.caster_count,
 			stream->set.missing_count);
+		skip_count(&gpu->skips, SKIP_TRIANGLE, stream->set.block_count,
+			stream->set.block_count - stream->set.tested_count);
 		gpu->stats.silhouette_edges += stream->set.edge_count;
 		gpu->stats.fins_left_out += stream->set.left_out_count;
 		gpu->stats.silhouette_ms += processor_ms() - start;

@@ -239,6 +239,9 @@ static bool finish_edges(struct edge_search *search, struct gpu *gpu, struct sm_
 		count_edges(gather, &gpu->stats);
 		skip_count(&gpu->skips, SKIP_STATIC, gather->grid.keep.caster_count,
 			gather->grid.keep.kept_count);
+		const struct edge_chains *chains = &gather->grid.chains;
+		skip_count(&gpu->skips, SKIP_TRIANGLE, chains->block_count,
+			chains->block_count - chains->tested_count);
 		gpu->stats.silhouette_ms += gather->search_ms + processor_ms() - start;
 		gpu->gl.ActiveTexture(GL_TEXTURE0);
 		upload_tiles(gather, gpu);
@@ -296,6 +299,7 @@ static bool draw_sheets(struct gather *gather, struct gpu *gpu, const struct sm_
 	if (!edge_grid_look(&gather->grid, scene, frame, &search.options))
 		return error_no_memory(error);
 	gather->sheets = gather->sheets > 0 ? gather->sheets : 1;
+	gather->grid.chains.tests_all = gpu->skips.off[SKIP_TRIANGLE];
 	if (search.aside)
 		workers_begin(&gpu->workers, 1, find_edges, &search);
 	bool drawn = draw_layers(gather, gpu, scene, frame, &gather->grid.keep.changed, error);

@@ -4,6 +4,7 @@
 #include "parts.h"
 #include "renderer.h"
 #include "rig.h"
+#include "technique/smoothie_state.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -313,6 +314,59 @@ static bool look_alike(const uint8_t *a, const uint8_t *b)
 	return memcmp(a, b, SIZE * SIZE * 4) == 0;
 }
 
+static struct sm_skip_stats stats_of(const struct rig *rig, const char *name)
+{
+	struct sm_skip_stats stats;
+	size_t index = 0;
+	while (strcmp(sm_skip_name(index), name) != 0)
+		index++;
+	sm_renderer_get_skip_stats(rig->renderer, index, &stats);
+	return stats;
+}
+
+static uint8_t *draw_lit_from(struct rig *rig, float x)
+{
+	struct sm_light_desc light = lamp;
+	light.position[0] = x;
+	assert_true(sm_scene_set_light(rig->scene, 0, &light, NULL));
+	return draw(rig, rig->scene, &camera);
+}
+
+static bool tests_all_for_fins(const struct rig *rig)
+{
+	const struct fin_set *fins = smoothie_fins(rig->renderer->lights[0].shadow->state);
+	return fins->block_count > 0 && fins->tested_count == fins->block_count;
+}
+
+/* Of few, where a light moves a bit; turned off, none is passed over, which does not show. */
+static void test_triangles_are_tested_that_may_have_turned(void **state)
+{
+	struct rig *rig = *state;
+	static const char *const techniques[] = {"smoothie", "gather"};
+	parts_add_object(rig->scene, parts_add_sphere(rig->scene, 64), PART_BOTH,
+		&(struct pose){.scale = {1, 1, 1}, .position = {0, 1, 0}});
+	parts_add_light(rig->scene, &lamp);
+	for (size_t i = 0; i < COUNT(techniques); i++) {
+		rig_set_shadows(rig,
+			&(struct sm_shadow_options){.technique = techniques[i], .map_size = 128});
+		free(draw_lit_from(rig, 1.01f));
+		const struct sm_skip_stats before = stats_of(rig, "triangle");
+		uint8_t *skipped = draw_lit_from(rig, 1.0f);
+		const struct sm_skip_stats after = stats_of(rig, "triangle");
+		assert_true(after.tested > before.tested);
+		assert_true(2 * (after.skipped - before.skipped) > after.tested - before.tested);
+		assert_true(after.redrawn > before.redrawn);
+		assert_true(sm_renderer_set_skips(rig->renderer, "-triangle,-light,-static", NULL));
+		uint8_t *thorough = draw_lit_from(rig, 1.0f);
+		assert_int_equal(stats_of(rig, "triangle").tested, after.tested);
+		assert_true(look_alike(skipped, thorough));
+		assert_true(i > 0 || tests_all_for_fins(rig));
+		assert_true(sm_renderer_set_skips(rig->renderer, "+all", NULL));
+		free(skipped);
+		free(thorough);
+	}
+}
+
 /* One half of a square, or the other: in the same box. */
 static void set_up_half(struct sm_scene *scene, bool other)
 {
@@ -538,6 +592,7 @@ int main(void)
 		rig_test(test_a_moving_camera_draws_surfaces_alone),
 		rig_test(test_a_shadow_beside_the_view_is_drawn_when_that_comes_to_it),
 		rig_test(test_a_frame_is_current_until_something_changes),
+		rig_test(test_triangles_are_tested_that_may_have_turned),
 		rig_test(test_what_is_kept_is_of_one_scene),
 		rig_test(test_choices_start_anew_when_a_light_comes_into_view),
 		rig_test(test_a_frame_alone_does_not_go_by_those_before),
