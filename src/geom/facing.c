@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/facing.h"
+#include "geom/word.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -56,20 +57,6 @@ static bool faces(const struct caster *caster, size_t t, const float light[4])
 	return value > 0.0;
 }
 
-/* One bit per byte that is 1 rather than 0. */
-static uint64_t pack_bytes(const uint8_t bytes[EDGE_BLOCK])
-{
-	uint64_t word = 0;
-	for (int i = 0; i < EDGE_BLOCK; i += 8) {
-		uint64_t eight = 0;
-		for (int j = 0; j < 8; j++)
-			eight |= (uint64_t)bytes[i + j] << 8 * j;
-		/* Moves bit 8 j to bit 56 + j; no two products meet. */
-		word |= (eight * UINT64_C(0x0102040810204080) >> 56) << i;
-	}
-	return word;
-}
-
 static inline int16_t upper_half(int16_t a, int16_t b)
 {
 	return (int16_t)(a * b >> 16);
@@ -99,7 +86,7 @@ static inline uint64_t test_planes(const int16_t *values, int count, const struc
 	for (int i = 0; i < count; i++)
 		above[i] = sums[i] >= SURELY_FACES;
 	*least = nearest;
-	return pack_bytes(above);
+	return word_of_bytes(above);
 }
 
 /* least: as test_planes() has it, of the block. */
@@ -287,7 +274,7 @@ static uint64_t expire(float safe[EDGE_BLOCK_SET], float way)
 		safe[i] = safe[i] * BELOW - way;
 		expired[i] = safe[i] <= 0.0f;
 	}
-	return pack_bytes(expired);
+	return word_of_bytes(expired);
 }
 
 /* Returns of how many blocks the triangles are tested. */

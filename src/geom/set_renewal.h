@@ -4,14 +4,16 @@
 
 #include "geom/set_search.h"
 
-/** Goes through a set of blocks, from the edges kept of it to its next ones. */
+/** From the edges kept of a set of blocks to its next ones. */
 struct set_renewal {
-	const struct silhouette_edge *kept; /* [size] */
-	size_t size;
+	const struct silhouette_edge *kept; /* [size], with more behind them: [kept_room] */
+	size_t size, kept_room;
+	/* [next_room]: at least what will be there. Behind that, others of it may be written. */
 	struct silhouette_edge *next;
+	size_t next_room;
 	uint16_t *starts; /* [count]: where each block's begin among kept; then, among next */
 	size_t count;     /* of blocks */
-	size_t from, to;  /* places among these; 0, then the ends */
+	size_t written;   /* set: next edges */
 };
 
 /** Writes the set's next edges: of the blocks of `renew`, a bit each, those listed, of others those

@@ -2,6 +2,7 @@
 #include "geom/silhouette_track.h"
 #include "base/array.h"
 #include "geom/set_renewal.h"
+#include "geom/word.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,6 +12,7 @@ void silhouette_track_finish(struct silhouette_track *track)
 	free(track->facing.safe);
 	free(track->facing.turned);
 	free(track->facing.changed);
+	free(track->marks);
 	free(track->renew);
 	free(track->set_starts);
 	free(track->starts);
@@ -31,7 +33,7 @@ size_t silhouette_track_bytes(const struct silhouette_track *track)
 		listed += track->parts[i].listed_capacity;
 	return track->block_count * (sizeof(*track->facing.facing) + sizeof(*track->facing.turned) +
 					    sizeof(*track->starts)) +
-	       padded * sizeof(*track->facing.safe) +
+	       padded * (sizeof(*track->facing.safe) + sizeof(*track->marks)) +
 	       sets * (sizeof(*track->facing.changed) + sizeof(*track->renew) +
 			      sizeof(*track->set_starts)) +
 	       track->part_count * sizeof(*track->parts) + listed * sizeof(*track->parts->listed) +
@@ -50,12 +52,13 @@ static bool reserve(struct silhouette_track *track, const struct caster *caster)
 	facing->turned = array_alloc(blocks, sizeof(*facing->turned));
 	facing->safe = array_alloc(facing_padded(caster), sizeof(*facing->safe));
 	facing->changed = array_alloc(sets, sizeof(*facing->changed));
+	track->marks = array_alloc(facing_padded(caster) + 1, sizeof(*track->marks));
 	track->renew = array_alloc(sets, sizeof(*track->renew));
 	track->starts = array_zalloc(blocks, sizeof(*track->starts));
 	track->set_starts = array_zalloc(sets, sizeof(*track->set_starts));
 	return facing->facing != NULL && facing->turned != NULL && facing->safe != NULL &&
-	       facing->changed != NULL && track->renew != NULL && track->starts != NULL &&
-	       track->set_starts != NULL;
+	       facing->changed != NULL && track->marks != NULL && track->renew != NULL &&
+	       track->starts != NULL && track->set_starts != NULL;
 }
 
 static bool reserve_parts(struct silhouette_track *track, size_t count)
@@ -79,33 +82,32 @@ struct search {
 	bool all;  /* nothing is kept */
 };
 
-/* Marks a block that is to be searched. */
-static inline void mark(const struct search *search, size_t b)
+/* Memory that a changed block's links are read from, which is anywhere. */
+static inline void fetch_leading(const struct edge_table *table, size_t b)
 {
-	_Atomic uint64_t *word = &search->track->renew[b / EDGE_BLOCK_SET];
-	uint64_t bit = UINT64_C(1) << b % EDGE_BLOCK_SET;
-	uint64_t before = atomic_load_explicit(word, memory_order_relaxed);
-	if ((before & bit) != 0)
-		return;
-	if (search->parts > 1)
-		atomic_fetch_or_explicit(word, bit, memory_order_relaxed);
-	else
-		atomic_store_explicit(word, before | bit, memory_order_relaxed);
+	size_t i = table->blocks[b].leading;
+	__builtin_prefetch(&table->leading[i]);
+	__builtin_prefetch(&table->leading_faces[i]);
 }
 
-/* Marks a set's blocks with triangles that have turned, and those that lead to such where links are
- * known that way around. */
-static void mark_set(const struct search *search, size_t set)
+/* Marks the blocks that lead to triangles of a set that have turned, where links are known that way
+ * around. Each link writes somewhere: there is no branch, which no processor could predict. Several
+ * threads may write a mark, all of them the same. */
+static void mark_leading(const struct search *search, size_t set)
 {
 	const struct edge_table *table = &search->test->caster->edges;
 	const struct facing_track *facing = &search->track->facing;
+	size_t first = set * EDGE_BLOCK_SET, nowhere = facing_padded(search->test->caster);
+	for (uint64_t changed = facing->changed[set]; changed != 0; changed &= changed - 1)
+		fetch_leading(table, first + (size_t)__builtin_ctzll(changed));
 	for (uint64_t changed = facing->changed[set]; changed != 0; changed &= changed - 1) {
-		size_t b = set * EDGE_BLOCK_SET + (size_t)__builtin_ctzll(changed);
-		size_t end = table->leading != NULL ? edge_leading_end(table, b) : 0;
-		mark(search, b);
-		for (size_t i = table->blocks[b].leading; i < end; i++)
-			if ((facing->turned[b] & table->leading_faces[i]) != 0)
-				mark(search, table->leading[i]);
+		size_t b = first + (size_t)__builtin_ctzll(changed);
+		size_t end = edge_leading_end(table, b);
+		for (size_t i = table->blocks[b].leading; i < end; i++) {
+			bool leads = (facing->turned[b] & table->leading_faces[i]) != 0;
+			size_t marked = leads ? table->leading[i] : nowhere;
+			__atomic_store_n(&search->track->marks[marked], 1, __ATOMIC_RELAXED);
+		}
 	}
 }
 
@@ -133,8 +135,10 @@ static void renew_facing(void *data, unsigned index)
 	struct track_part *part = &track->parts[index];
 	part->tested = facing_renew_sets(
 		search->test, search->way, part->first, part->end, &track->facing);
+	if (search->test->caster->edges.leading == NULL)
+		return;
 	for (size_t set = part->first; set < part->end; set++)
-		mark_set(search, set);
+		mark_leading(search, set);
 }
 
 static void find_facing(void *data, unsigned index)
@@ -191,12 +195,12 @@ static uint64_t blocks_to_list(const struct search *search, size_t set)
 {
 	const struct silhouette_track *track = search->track;
 	const struct edge_table *table = &search->test->caster->edges;
-	size_t last = set * EDGE_BLOCK_SET + set_size(track, set) - 1;
+	size_t first = set * EDGE_BLOCK_SET, last = first + set_size(track, set) - 1;
 	if (search->all)
 		return set_search_blocks(table, track->facing.facing, set);
 	if (table->leading != NULL)
-		return track->renew[set];
-	return track->renew[set] | blocks_that_lead(table, &track->facing, set, last);
+		return track->facing.changed[set] | word_of_bytes(&track->marks[first]);
+	return track->facing.changed[set] | blocks_that_lead(table, &track->facing, set, last);
 }
 
 /* Lists the edges of the blocks that are to be searched, and counts how many there are with those
@@ -237,12 +241,14 @@ static void write_part(void *data, unsigned index)
 		size_t end = set_end(track, part, set);
 		struct set_renewal renewal = {.kept = &track->kept[begin],
 			.size = end - begin,
+			.kept_room = track->kept_count - begin,
 			.next = &track->next[out],
+			.next_room = part->out + part->edge_count - out,
 			.starts = &track->starts[set * EDGE_BLOCK_SET],
 			.count = set_size(track, set)};
 		listed = set_renewal_write(&renewal, &blocks, track->renew[set], listed);
 		track->set_starts[set] = out;
-		out += renewal.to;
+		out += renewal.written;
 		begin = end;
 	}
 }
@@ -339,7 +345,7 @@ static bool track_step(struct search *search, double way)
 	}
 	track->plain = false;
 	split(search);
-	memset((void *)track->renew, 0, edge_table_sets(&caster->edges) * sizeof(*track->renew));
+	memset(track->marks, 0, facing_padded(caster) * sizeof(*track->marks));
 	run(search, renew_facing);
 	if (!find_edges(search))
 		return false;

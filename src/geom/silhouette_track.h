@@ -4,7 +4,6 @@
 
 #include "base/workers.h"
 #include "geom/silhouette.h"
-#include <stdatomic.h>
 
 /** Meshes of fewer triangles are searched faster than threads wake up. */
 #define TRACK_SHARED_MIN 200000
@@ -28,7 +27,7 @@ struct track_part {
 /**
  * A caster's silhouette as a light moves: what is found for one place of the light is kept, and for
  * the next only those blocks are searched of which a triangle has turned, or one they lead to.
- * 22 bytes a block and 16 an edge of the silhouette. Zero is empty, and of no caster.
+ * 23 bytes a block and 16 an edge of the silhouette. Zero is empty, and of no caster.
  * Where the light goes so far that half the blocks have to be searched, as it jumps, nothing is
  * kept.
  */
@@ -43,9 +42,11 @@ struct silhouette_track {
 	double far;       /* steps of at least this are as well searched plainly; 0: none known */
 	double busy;      /* share of blocks that is searched each step, on average */
 	size_t block_count;
-	_Atomic uint64_t *renew; /* a bit for each block, a word for each set: to be searched */
-	size_t *set_starts;      /* where the edges of each set begin */
-	uint16_t *starts;        /* [block_count]: the same of blocks, from there */
+	uint8_t *marks; /* [facing_padded() + 1]: 1 for a block that leads to one that turned, where
+			   links are known that way around; the last is for those that do not */
+	uint64_t *renew;    /* a bit for each block, a word for each set: to be searched */
+	size_t *set_starts; /* where the edges of each set begin */
+	uint16_t *starts;   /* [block_count]: the same of blocks, from there */
 	struct silhouette_edge *kept, *next;
 	size_t kept_count, kept_capacity, next_capacity;
 	struct track_part *parts; /* of as many as ever were */
