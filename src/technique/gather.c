@@ -94,6 +94,12 @@ static void gather_finish(void *state, struct gpu *gpu)
 	sheet_layers_finish(&gather->layers, gpu);
 }
 
+const struct edge_chains *gather_chains(const void *state)
+{
+	const struct gather *gather = state;
+	return &gather->grid.chains;
+}
+
 /* As many layers as there are sheets one behind the other in some tile's middle. */
 static int sheets_in_line(const struct edge_grid *grid)
 {

@@ -2,6 +2,7 @@
 #ifndef TECHNIQUE_GATHER_H
 #define TECHNIQUE_GATHER_H
 
+#include "scene/edge_chains.h"
 #include "scene/penumbra.h"
 
 /** What the technique and its model share (docs/gather.md). */
@@ -47,5 +48,8 @@ static inline uint32_t gather_tiles(const struct sm_scene *scene, const struct l
 		tiles /= 2;
 	return tiles;
 }
+
+/** What was found for the last frame of a technique's state, which owns it. */
+const struct edge_chains *gather_chains(const void *state);
 
 #endif

@@ -4,6 +4,7 @@
 #include "parts.h"
 #include "renderer.h"
 #include "rig.h"
+#include "technique/gather.h"
 #include "technique/smoothie_state.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -332,23 +333,32 @@ static uint8_t *draw_lit_from(struct rig *rig, float x)
 	return draw(rig, rig->scene, &camera);
 }
 
-static bool tests_all_for_fins(const struct rig *rig)
+static bool tests_all_for_fins(const void *state)
 {
-	const struct fin_set *fins = smoothie_fins(rig->renderer->lights[0].shadow->state);
+	const struct fin_set *fins = smoothie_fins(state);
 	return fins->block_count > 0 && fins->tested_count == fins->block_count;
+}
+
+static bool tests_all_for_chains(const void *state)
+{
+	const struct edge_chains *chains = gather_chains(state);
+	return chains->block_count > 0 && chains->tested_count == chains->block_count;
 }
 
 /* Of few, where a light moves a bit; turned off, none is passed over, which does not show. */
 static void test_triangles_are_tested_that_may_have_turned(void **state)
 {
 	struct rig *rig = *state;
-	static const char *const techniques[] = {"smoothie", "gather"};
+	static const struct {
+		const char *technique;
+		bool (*tests_all)(const void *state);
+	} cases[] = {{"smoothie", tests_all_for_fins}, {"gather", tests_all_for_chains}};
 	parts_add_object(rig->scene, parts_add_sphere(rig->scene, 64), PART_BOTH,
 		&(struct pose){.scale = {1, 1, 1}, .position = {0, 1, 0}});
 	parts_add_light(rig->scene, &lamp);
-	for (size_t i = 0; i < COUNT(techniques); i++) {
-		rig_set_shadows(rig,
-			&(struct sm_shadow_options){.technique = techniques[i], .map_size = 128});
+	for (size_t i = 0; i < COUNT(cases); i++) {
+		rig_set_shadows(rig, &(struct sm_shadow_options){
+					     .technique = cases[i].technique, .map_size = 128});
 		free(draw_lit_from(rig, 1.01f));
 		const struct sm_skip_stats before = stats_of(rig, "triangle");
 		uint8_t *skipped = draw_lit_from(rig, 1.0f);
@@ -360,7 +370,7 @@ static void test_triangles_are_tested_that_may_have_turned(void **state)
 		uint8_t *thorough = draw_lit_from(rig, 1.0f);
 		assert_int_equal(stats_of(rig, "triangle").tested, after.tested);
 		assert_true(look_alike(skipped, thorough));
-		assert_true(i > 0 || tests_all_for_fins(rig));
+		assert_true(cases[i].tests_all(rig->renderer->lights[0].shadow->state));
 		assert_true(sm_renderer_set_skips(rig->renderer, "+all", NULL));
 		free(skipped);
 		free(thorough);
