@@ -36,6 +36,7 @@ size_t silhouette_track_bytes(const struct silhouette_track *track)
 	       padded * (sizeof(*track->facing.safe) + sizeof(*track->marks)) +
 	       sets * (sizeof(*track->facing.changed) + sizeof(*track->renew) +
 			      sizeof(*track->set_starts)) +
+	       (track->marks != NULL ? sizeof(*track->marks) : 0) +
 	       track->part_count * sizeof(*track->parts) + listed * sizeof(*track->parts->listed) +
 	       (track->kept_capacity + track->next_capacity) * sizeof(*track->kept);
 }
