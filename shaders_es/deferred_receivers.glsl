@@ -2,7 +2,7 @@
 uniform usampler2D point_map;
 uniform sampler2D visibility_depth;
 
-// Of the pixel with its middle there; beyond the picture, of its rim. As in shadow_gather.glsl
+// Of the pixel with its middle there; beyond the picture, of its rim. As in gather_textures.glsl
 // texelFetch() would be dearer.
 uvec4 receiver_at(vec2 middle)
 {

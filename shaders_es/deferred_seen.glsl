@@ -1,7 +1,7 @@
 // What deferred_find.frag drew, and the camera's depth of its receivers.
 uniform usampler2D visibility_map;
 
-// In steps of 1/65535. As in shadow_gather.glsl texelFetch() would be dearer.
+// In steps of 1/65535. As in gather_textures.glsl texelFetch() would be dearer.
 uint seen_visibility(vec2 middle)
 {
 	return textureLod(visibility_map, middle / vec2(textureSize(visibility_map, 0)), 0.0).r;

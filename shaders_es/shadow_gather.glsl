@@ -2,8 +2,6 @@
 // sheets before the disc's centre, and a term for each edge before the disc. Everything is in window
 // coordinates of the light's screen, on which edges are straight, also in depth.
 uniform usampler2D edge_tiles; // struct edge_tile of scene/edge_grid.h
-uniform usampler2D edge_runs;  // struct edge_run of scene/edge_lists.h, TABLE_ROW a row
-uniform usampler2D edge_map;   // struct edge_texel of scene/edge_texel.h, as many a row
 uniform usampler2D front_layer; // see gather_layer.frag
 uniform usampler2D second_layer;
 uniform usampler2D third_layer;
@@ -14,7 +12,6 @@ const int LAYERS = 2;
 #else
 const int LAYERS = LAYERS_MOST;
 #endif
-const float TABLE_ROW = 1024.0;
 // Of edges.
 const int DEPTH_BITS = 11;
 const uint DEPTH_MASK = 2047u;
@@ -28,19 +25,6 @@ const int HIDDEN = 1024;
 // Of a triangle over a hollow, and steps of its depths.
 const int HOLLOW_TEXELS = 4;
 const float HOLLOW_DEPTHS = 65536.0;
-
-// Tables and maps are looked up where texels have their middles: texelFetch() is the same, but twice
-// as dear to llvmpipe, which finds level, size and stride of each lane. rows: 1 / those of the table.
-vec2 table_place(int i, float rows)
-{
-	float at = (float(i) + 0.5) * (1.0 / TABLE_ROW), row = floor(at);
-	return vec2(at - row, (row + 0.5) * rows);
-}
-
-float row_share(ivec2 table)
-{
-	return 1.0 / float(table.y);
-}
 
 float cross_of(vec2 a, vec2 b)
 {
@@ -469,12 +453,11 @@ hollows hollows_over(receiver r, uvec4 tile, bool any)
 	hollows found = hollows(0, 0, 0, 0u);
 #ifdef HOLLOWS
 	eye eye = eye_of(r);
-	float rows = row_share(textureSize(edge_map, 0)), depth = r.s.z * HOLLOW_DEPTHS;
+	float rows = edge_rows(), depth = r.s.z * HOLLOW_DEPTHS;
 	int count = any ? int(tile.y >> 17 & 127u) : 0;
 	found.start = hollow_base + HOLLOW_TEXELS * int(tile.x >> 17);
 	for (int i = 0; i < count;) {
-		vec2 at = table_place(found.start + 3 * count + i, rows);
-		uvec4 plane = textureLod(edge_map, at, 0.0);
+		uvec4 plane = edge_at(found.start + 3 * count + i, rows);
 		float least = dot(uintBitsToFloat(plane.xy), eye.at) + uintBitsToFloat(plane.z);
 		float near = float(plane.w & 0xffffu), far = float(plane.w >> 16);
 		bool counts = least > eye.depth && depth > near && depth < far;
@@ -506,7 +489,7 @@ bool is_over(hollows hollows, int i)
 // lists, which are in the order of their nearest ends, leaves them where the rest plays no part.
 void walk_edges(inout sums sum, receiver r, origin from, int first, int end, hollows hollows)
 {
-	float rows = row_share(textureSize(edge_map, 0)), deepest = from.deepest * DEPTH_STEPS;
+	float rows = edge_rows(), deepest = from.deepest * DEPTH_STEPS;
 	eye eye = eye_of(r);
 	way way = way_of(r, from);
 	int i = first;
@@ -523,7 +506,7 @@ void walk_edges(inout sums sum, receiver r, origin from, int first, int end, hol
 		// still look for theirs the others wait here, not at each edge. What is known of it
 		// is found again below: that costs less than to keep it apart for each lane.
 		while (i < end) {
-			texel = textureLod(edge_map, table_place(i, rows), 0.0);
+			texel = edge_at(i, rows);
 			edge next = edge_of(texel, eye);
 #ifndef RUNS
 			end = min(next.depth_a, next.depth_b) < deepest ? end : i;
@@ -591,12 +574,12 @@ sums walk(receiver r, origin from, int first, int end, hollows hollows)
 {
 	sums sum = no_sums();
 	reach reach = reach_of(r, from);
-	float rows = row_share(textureSize(edge_runs, 0));
+	float rows = run_rows();
 	bool last = hollows.first >= hollows.end;
 	for (int run = first; run < end || !last;) {
 		int begin = 0, stop = 0;
 		while (run < end) {
-			uvec4 found = textureLod(edge_runs, table_place(run, rows), 0.0);
+			uvec4 found = run_at(run, rows);
 			float start = uintBitsToFloat(found.y);
 			vec2 low = vec2(ivec2(found.zz >> BOX_SHIFT & 0xffffu));
 			vec2 high = vec2(ivec2(found.ww >> BOX_SHIFT & 0xffffu)) + 1.0;

@@ -17,7 +17,7 @@ struct point {
 		    // structures with a bool
 };
 
-// Beyond the picture's rim that there. As in shadow_gather.glsl texelFetch() would be dearer.
+// Beyond the picture's rim that there. As in gather_textures.glsl texelFetch() would be dearer.
 point point_at(vec2 pixel)
 {
 	uvec2 p = textureLod(point_map, pixel / vec2(textureSize(point_map, 0)), 0.0).xy;

@@ -30,8 +30,7 @@ static uint64_t find_flags(const struct surface_pass *view)
 {
 	const struct technique *technique = view->renderer->shadows.technique;
 	uint64_t way = technique->surface_flags(view->shadow->state);
-	return FLAG_RECEIVERS | FLAG_FLAT_INPUTS |
-	       (way & (FLAG_RUNS | FLAG_COARSE | FLAG_TWO_LAYERS | FLAG_HOLLOWS));
+	return FLAG_RECEIVERS | FLAG_FLAT_INPUTS | (way & program_kind_flags(PROGRAM_FIND));
 }
 
 /* Of the light, with its receivers to read. */

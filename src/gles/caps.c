@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 #include "gles/caps.h"
+#include "gles/texture_unit.h"
 #include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-static_assert(CAP_COUNT <= 32, "sets of caps are words");
+static_assert(CAP_COUNT <= 64, "sets of caps are words");
 
-/* A cap is an extension, or known by the driver's name, or else it is found out by a probe
- * (probe.c), which takes a version and one cap of each set. */
+/* A cap is an extension, or a limit, or known by the driver's name, or else it is found out by a
+ * probe (probe.c), which takes a version and one cap of each set. */
 struct cap_info {
 	const char *name;
 	const char *extension; /* NULL: none */
 	int version;           /* 10 * major + minor: has the extension in it; a probe takes it */
-	uint32_t any, also;    /* sets of caps; 0: nothing is taken */
+	uint64_t any, also;    /* sets of caps; 0: nothing is taken */
 };
 
 #define EXTENSION(text) .name = #text, .extension = "GL_" #text
@@ -69,6 +70,8 @@ static const struct cap_info infos[CAP_COUNT] = {
 	[CAP_SLOW_UNIFORMS] = {.name = "slow_uniforms"},
 	[CAP_SLOW_LOOKUPS] = {.name = "slow_lookups"},
 	[CAP_SRGB_STORED] = {.name = "srgb_stored", .any = CAP_BIT(TEXTURE_SRGB_DECODE)},
+	/* OpenGL ES 3.1 leaves it to the driver how many fragment shaders have. */
+	[CAP_FRAGMENT_IMAGES] = {.name = "fragment_images", .version = 31},
 };
 
 const char *cap_name(size_t index)
@@ -92,7 +95,7 @@ static bool has_version(const struct caps *caps, int version)
 	return 10 * caps->major + caps->minor >= version;
 }
 
-static bool has_one(const struct caps *caps, uint32_t set)
+static bool has_one(const struct caps *caps, uint64_t set)
 {
 	bool there = set == 0;
 	for (size_t i = 0; i < CAP_COUNT; i++)
@@ -101,7 +104,7 @@ static bool has_one(const struct caps *caps, uint32_t set)
 }
 
 /* "EXT_color_buffer_float or EXT_color_buffer_half_float" */
-static const char *list_set(uint32_t set, char *text, size_t size)
+static const char *list_set(uint64_t set, char *text, size_t size)
 {
 	size_t used = 0;
 	for (size_t i = 0; i < CAP_COUNT && used < size; i++)
@@ -115,7 +118,7 @@ bool caps_rule_out(struct caps *caps, enum cap cap)
 {
 	const struct cap_info *info = &infos[cap];
 	char text[80];
-	uint32_t lacking = !has_one(caps, info->any)    ? info->any
+	uint64_t lacking = !has_one(caps, info->any)    ? info->any
 			   : !has_one(caps, info->also) ? info->also
 							: 0;
 	if (caps->found[cap].taken)
@@ -200,6 +203,16 @@ static void find_habits(struct caps *caps)
 			caps_note(caps, habits[i], is_it, "%s", is_it ? name : "another driver");
 }
 
+static void find_images(struct caps *caps, struct gl *gl)
+{
+	GLint count = 0;
+	if (caps_rule_out(caps, CAP_FRAGMENT_IMAGES))
+		return;
+	gl->GetIntegerv(GL_MAX_FRAGMENT_IMAGE_UNIFORMS, &count);
+	caps_note(caps, CAP_FRAGMENT_IMAGES, count >= IMAGE_COUNT && gl->BindImageTexture != NULL,
+		"%d of them", count);
+}
+
 bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_error *error)
 {
 	*caps = (struct caps){
@@ -221,6 +234,7 @@ bool caps_init(struct caps *caps, struct gl *gl, const char *list, struct sm_err
 		return false;
 	find_extensions(caps, gl);
 	find_habits(caps);
+	find_images(caps, gl);
 	return true;
 }
 

@@ -38,11 +38,12 @@ enum cap {
 	CAP_SLOW_UNIFORMS,
 	CAP_SLOW_LOOKUPS,
 	CAP_SRGB_STORED,
+	CAP_FRAGMENT_IMAGES,
 	CAP_COUNT,
 };
 
 /** A set of caps. */
-#define CAP_BIT(name) (UINT32_C(1) << CAP_##name)
+#define CAP_BIT(name) (UINT64_C(1) << CAP_##name)
 
 /** Whether the driver has a cap, as far as that is known. */
 struct cap_finding {

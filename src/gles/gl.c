@@ -12,6 +12,7 @@ bool gl_load(struct gl *gl, sm_get_proc get_proc, struct sm_error *error)
 			"the driver lacks gl" #name ", a function of OpenGL ES 3.0");
 	GL_FUNCTIONS(GL_RESOLVE)
 #undef GL_RESOLVE
+	gl->BindImageTexture = (gl_bind_image_texture)get_proc("glBindImageTexture");
 	return true;
 }
 

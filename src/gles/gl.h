@@ -14,12 +14,18 @@
 #define GL_DEBUG_SEVERITY_HIGH_KHR 0x9146
 #define GL_DEBUG_SOURCE_APPLICATION_KHR 0x824A
 
+/* Of OpenGL ES 3.1. */
+#define GL_READ_ONLY 0x88B8
+#define GL_MAX_FRAGMENT_IMAGE_UNIFORMS 0x90CE
+
 typedef void(GL_APIENTRY *gl_debug_callback)(GLenum source, GLenum type, GLuint id, GLenum severity,
 	GLsizei length, const GLchar *message, const void *data);
 typedef void(GL_APIENTRY *gl_debug_message_callback)(gl_debug_callback callback, const void *data);
 typedef void(GL_APIENTRY *gl_push_debug_group)(
 	GLenum source, GLuint id, GLsizei length, const GLchar *message);
 typedef void(GL_APIENTRY *gl_pop_debug_group)(void);
+typedef void(GL_APIENTRY *gl_bind_image_texture)(GLuint unit, GLuint texture, GLint level,
+	GLboolean layered, GLint layer, GLenum access, GLenum format);
 typedef void(GL_APIENTRY *gl_texture_view)(GLuint texture, GLenum target, GLuint of,
 	GLenum internal_format, GLuint first_level, GLuint levels, GLuint first_layer,
 	GLuint layers);
@@ -123,8 +129,9 @@ struct gl {
 	gl_debug_message_callback DebugMessageCallback; /* the next three: NULL without KHR_debug */
 	gl_push_debug_group PushDebugGroup;
 	gl_pop_debug_group PopDebugGroup;
-	gl_texture_view TextureView; /* NULL without EXT_texture_view */
-	int objects;                 /* made and not yet deleted */
+	gl_texture_view TextureView;            /* NULL without EXT_texture_view */
+	gl_bind_image_texture BindImageTexture; /* of OpenGL ES 3.1: before, anything */
+	int objects;                            /* made and not yet deleted */
 	struct sm_pass_observer observer;
 	const char *group; /* that is open; NULL: none */
 	struct storages storages;

@@ -63,7 +63,7 @@ static bool link_program(struct gl *gl, GLuint name, struct program_key key, str
 		gl->LinkProgram(name);
 		gl->GetProgramiv(name, GL_LINK_STATUS, &linked);
 		if (!linked) {
-			char text[390], info[1000] = "";
+			char text[400], info[1000] = "";
 			gl->GetProgramInfoLog(name, sizeof(info), NULL, info);
 			log_error("%s", info);
 			error_set(error, SM_ERROR_MACHINE, "the driver does not link \"%s\"",

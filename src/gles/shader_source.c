@@ -59,6 +59,7 @@ static const struct {
 	FLAG(SAMPLES),
 	FLAG(FLAT_INPUTS),
 	FLAG(FUSED),
+	FLAG(IMAGES),
 #undef FLAG
 };
 
@@ -83,6 +84,8 @@ static const struct {
 /* In which form plain depths are read. */
 #define PLAIN_FLAGS (FLAG_DEPTH_HALF | FLAG_DEPTH_PACKED)
 
+#define STAGE_FILES_MAX 40
+
 /* Files of a stage, in order; one with flags is left out unless one of them is on, and where one is
  * that it is the other choice of. */
 struct part {
@@ -99,7 +102,7 @@ static const struct {
 	const char *name;
 	uint64_t flags;      /* that mean something */
 	const char *defines; /* in all variants; may be NULL */
-	struct part parts[2][36];
+	struct part parts[2][STAGE_FILES_MAX];
 } programs[PROGRAM_KINDS] = {
 	[PROGRAM_DEPTH_MAP] =
 		{
@@ -177,7 +180,8 @@ static const struct {
 				 FLAG_ENCODE_SRGB | FLAG_ALPHA_DEPTH | PLAIN_FLAGS | FLAG_SPLIT |
 				 FLAG_POINTS | FLAG_CELLS | FLAG_RUNS | FLAG_RECEIVERS |
 				 FLAG_COARSE | FLAG_BEHIND | FLAG_WORDS | FLAG_TWO_LAYERS |
-				 FLAG_HOLLOWS | FLAG_SAMPLES | FLAG_FLAT_INPUTS | FLAG_FUSED,
+				 FLAG_HOLLOWS | FLAG_SAMPLES | FLAG_FLAT_INPUTS | FLAG_FUSED |
+				 FLAG_IMAGES,
 			.parts =
 				{
 					{
@@ -217,6 +221,8 @@ static const struct {
 						{"shadow_vsm.glsl", FLAG_VSM},
 						{"gather_sheet.glsl", FLAG_EDGES | FLAG_RECEIVERS},
 						{"gather_disc.glsl", FLAG_EDGES},
+						{"gather_images.glsl", FLAG_IMAGES},
+						{"gather_textures.glsl", FLAG_EDGES, FLAG_IMAGES},
 						{"shadow_gather.glsl", FLAG_EDGES},
 						{"sparse_cell.glsl", FLAG_CELLS},
 						{"sparse_between.glsl", FLAG_CELLS},
@@ -256,7 +262,7 @@ static const struct {
 		{
 			.name = "find",
 			.flags = FLAG_RECEIVERS | FLAG_RUNS | FLAG_COARSE | FLAG_POINTS |
-				 FLAG_TWO_LAYERS | FLAG_HOLLOWS | FLAG_FLAT_INPUTS,
+				 FLAG_TWO_LAYERS | FLAG_HOLLOWS | FLAG_FLAT_INPUTS | FLAG_IMAGES,
 			.parts =
 				{
 					{{"shadow_screen.glsl"}, {"gather_uniforms.glsl"},
@@ -265,6 +271,8 @@ static const struct {
 					{{"common_depth_step.glsl"}, {"screen_flat_in.glsl"},
 						{"gather_flat_in.glsl"}, {"shadow_receiver.glsl"},
 						{"gather_sheet.glsl"}, {"gather_disc.glsl"},
+						{"gather_images.glsl", FLAG_IMAGES},
+						{"gather_textures.glsl", 0, FLAG_IMAGES},
 						{"shadow_gather.glsl"}, {"deferred_receivers.glsl"},
 						{"deferred_find.frag"}},
 				},
@@ -397,6 +405,7 @@ static bool surface_is_complete(uint64_t flags)
 	       implies(flags, FLAG_BEHIND, FLAG_EDGES) &&
 	       implies(flags, FLAG_TWO_LAYERS, FLAG_EDGES) &&
 	       implies(flags, FLAG_HOLLOWS, FLAG_EDGES) &&
+	       implies(flags, FLAG_IMAGES, FLAG_EDGES) &&
 	       implies(flags, FLAG_SAMPLES, FLAG_FOUND) &&
 	       (!(flags & FLAG_GATHER) || flags & (TAP_FLAGS | COMPARE_FLAGS)) &&
 	       (!(flags & FLAG_FOUR_FETCHES) || flags & (FLAG_VSM | COMPARE_FLAGS)) &&
@@ -499,8 +508,9 @@ size_t shader_parts(
 	struct program_key key, enum shader_stage stage, const char *parts[SHADER_PARTS_MAX])
 {
 	size_t count = 0;
-	/* textureGather() came with 3.1; all else is 3.0. */
-	parts[count++] = key.flags & FLAG_GATHER ? "#version 310 es\n" : "#version 300 es\n";
+	/* textureGather() and images came with 3.1; all else is 3.0. */
+	parts[count++] =
+		key.flags & (FLAG_GATHER | FLAG_IMAGES) ? "#version 310 es\n" : "#version 300 es\n";
 	if (key.flags & FLAG_FETCH && stage == STAGE_FRAGMENT)
 		parts[count++] = "#extension GL_EXT_shader_framebuffer_fetch : require\n";
 	parts[count++] = file_text("common_precision.glsl");
@@ -510,7 +520,8 @@ size_t shader_parts(
 	if (programs[key.kind].defines != NULL)
 		parts[count++] = programs[key.kind].defines;
 	const struct part *part = programs[key.kind].parts[stage];
-	for (; part->file != NULL; part++)
+	for (const struct part *end = part + STAGE_FILES_MAX; part < end && part->file != NULL;
+		part++)
 		if ((part->flags == 0 || key.flags & part->flags) && !(key.flags & part->without))
 			parts[count++] = file_text(part->file);
 	assert(count <= SHADER_PARTS_MAX);

@@ -83,9 +83,10 @@ enum program_kind {
 #define FLAG_SAMPLES (UINT64_C(1) << 43)
 #define FLAG_FLAT_INPUTS (UINT64_C(1) << 44)
 #define FLAG_FUSED (UINT64_C(1) << 45)
+#define FLAG_IMAGES (UINT64_C(1) << 46)
 
 /** The first bit that is no flag. */
-#define FLAG_END (UINT64_C(1) << 46)
+#define FLAG_END (UINT64_C(1) << 47)
 
 struct program_key {
 	enum program_kind kind;

@@ -32,4 +32,11 @@ enum texture_unit {
 	UNIT_SMOOTHIE_WORDS = UNIT_FINS,
 };
 
+/** Which unit each image is at: shaders say the same. Drivers that have any have four or more. */
+enum image_unit {
+	IMAGE_EDGE_RUNS,
+	IMAGE_EDGES,
+	IMAGE_COUNT,
+};
+
 #endif

@@ -93,6 +93,11 @@ static const struct {
 			0, 0, CAP_BIT(SLOW_UNIFORMS)},
 		[CONSTANTS_UNIFORMS] = {"uniforms", "from uniforms", 0, 0},
 	}},
+	[DRIVER_TABLES] = {"tables", "lists of edges", {
+		[TABLES_IMAGES] = {"images", "loaded from images",
+			CAP_BIT(FRAGMENT_IMAGES), 0, CAP_BIT(SLOW_LOOKUPS)},
+		[TABLES_TEXTURES] = {"textures", "looked up in textures", 0, 0},
+	}},
 };
 /* clang-format on */
 
@@ -109,7 +114,7 @@ const struct driver_way *way_at(enum driver_need need, size_t index)
 }
 
 /* The first of a set of caps that the driver lacks; CAP_COUNT: none. */
-static enum cap lacking_cap(struct gpu *gpu, uint32_t caps)
+static enum cap lacking_cap(struct gpu *gpu, uint64_t caps)
 {
 	enum cap cap = 0;
 	while (cap < CAP_COUNT && (!(caps >> cap & 1) || gpu_has(gpu, cap)))

@@ -17,6 +17,7 @@ enum driver_need {
 	DRIVER_BRANCH,
 	DRIVER_PASSES,
 	DRIVER_CONSTANTS,
+	DRIVER_TABLES,
 	DRIVER_NEEDS,
 };
 
@@ -38,14 +39,15 @@ enum copy_way { COPY_STORED, COPY_ENCODE };
 enum branch_way { BRANCH_EARLY_DEPTH, BRANCH_SHADER };
 enum passes_way { PASSES_FINISHED, PASSES_QUEUED };
 enum constants_way { CONSTANTS_FLAT, CONSTANTS_UNIFORMS };
+enum tables_way { TABLES_IMAGES, TABLES_TEXTURES };
 
 /** One way to meet a need. */
 struct driver_way {
 	const char *name;
 	const char *summary;
-	uint32_t caps; /* all that it takes: CAP_BIT()s */
+	uint64_t caps; /* all that it takes: CAP_BIT()s */
 	GLenum format; /* of what is drawn into; 0: nothing is */
-	uint32_t pays; /* caps without which it works, but another way is better */
+	uint64_t pays; /* caps without which it works, but another way is better */
 };
 
 /** Which way is forced, and which was chosen, of each need: the way's index + 1; 0: none. */

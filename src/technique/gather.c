@@ -11,10 +11,11 @@
 #include <float.h>
 #include <math.h>
 
-/* Runs or edges in a row of their texture; as in shadow_gather.glsl. */
+/* Runs or edges in a row of their texture; as in gather_textures.glsl and gather_images.glsl. */
 #define TABLE_ROW 1024
 
-/* A texture of runs or edges. */
+/* A texture of runs or edges; 0 where there are none. Its size stays, as that of an image has to.
+ */
 struct list_table {
 	GLuint texture;
 	GLsizei rows;
@@ -27,6 +28,7 @@ struct gather {
 	struct sheet_layers layers;
 	GLuint tiles, masks;
 	struct list_table runs, edges;
+	bool images; /* are what these are read as */
 	struct edge_grid grid;
 	struct screen_grid soft;
 	float farthest[SCREEN_GRID_SIZE * SCREEN_GRID_SIZE]; /* of casters over a cell; 0: none */
@@ -77,8 +79,7 @@ static bool gather_init(void *state, struct gpu *gpu, const struct sm_shadow_opt
 		return false;
 	upload_masks(gather, gl);
 	gather->tiles = create_table(gl, STORAGE_EDGE_LISTS);
-	gather->runs.texture = create_table(gl, STORAGE_EDGE_LISTS);
-	gather->edges.texture = create_table(gl, STORAGE_EDGE_LISTS);
+	gather->images = way_choose(gpu, DRIVER_TABLES, NULL) == TABLES_IMAGES;
 	return true;
 }
 
@@ -116,24 +117,32 @@ static int sheets_in_line(const struct edge_grid *grid)
 _Static_assert(sizeof(struct edge_run) == TABLE_TEXEL_BYTES, "a texel");
 _Static_assert(sizeof(struct edge_texel) == TABLE_TEXEL_BYTES, "a texel");
 
+/* Makes room for so many rows, with some to spare, but for `most`. */
+static void reserve_rows(struct gl *gl, struct list_table *table, GLsizei rows, GLsizei most)
+{
+	if (rows > 0 && rows <= table->rows)
+		return;
+	gl_delete_texture(gl, &table->texture);
+	table->rows = rows + rows / 2 < most ? rows + rows / 2 : most;
+	if (rows == 0)
+		return;
+	table->texture = create_table(gl, STORAGE_EDGE_LISTS);
+	gl_store_texture(gl, table->texture, GL_RGBA32UI, TABLE_ROW, table->rows);
+}
+
 /* Writes texels, at most `most`, a whole number of rows. */
 static void upload_table(
 	struct gl *gl, struct list_table *table, const void *texels, size_t count, GLsizei most)
 {
-	static const struct texel_format as = {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
 	GLsizei full = (GLsizei)(count / TABLE_ROW), rest = (GLsizei)(count % TABLE_ROW);
-	GLsizei rows = full + (rest > 0);
+	reserve_rows(gl, table, full + (rest > 0), most / TABLE_ROW);
 	gl->BindTexture(GL_TEXTURE_2D, table->texture);
-	if (rows > table->rows || rows == 0) {
-		table->rows =
-			rows + rows / 2 < most / TABLE_ROW ? rows + rows / 2 : most / TABLE_ROW;
-		gl_fill_texture(gl, table->texture, &as, TABLE_ROW, table->rows, NULL);
-	}
 	if (full > 0)
-		gl->TexSubImage2D(
-			GL_TEXTURE_2D, 0, 0, 0, TABLE_ROW, full, as.format, as.type, texels);
+		gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, TABLE_ROW, full, GL_RGBA_INTEGER,
+			GL_UNSIGNED_INT, texels);
 	if (rest > 0)
-		gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, as.format, as.type,
+		gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, GL_RGBA_INTEGER,
+			GL_UNSIGNED_INT,
 			(const char *)texels + (size_t)full * TABLE_ROW * TABLE_TEXEL_BYTES);
 }
 
@@ -323,6 +332,9 @@ static bool gather_prepare(void *state, struct gpu *gpu, const struct sm_scene *
 	gather->depth_noise = find_depth_noise(scene, frame);
 	if (gpu->skips.off[SKIP_STATIC] || gather->failures != gpu->failures)
 		forget(gather);
+	/* Tables may lack the memory that was asked for. */
+	if (gather->failures != gpu->failures)
+		gather->runs.rows = gather->edges.rows = 0;
 	gather->failures = gpu->failures;
 	if (!gather->point)
 		return draw_sheets(gather, gpu, scene, frame, error);
@@ -343,6 +355,7 @@ static uint64_t gather_surface_flags(const void *state)
 	return FLAG_EDGES | (gather->grid.whole ? 0 : FLAG_RUNS) |
 	       (gather->layers.count > 2 ? 0 : FLAG_TWO_LAYERS) |
 	       (gather->grid.hollows.count > 0 ? FLAG_HOLLOWS : 0) |
+	       (gather->images ? FLAG_IMAGES : 0) |
 	       (raster_is_coarse(gather->subpixel_bits) ? FLAG_COARSE : 0);
 }
 
@@ -451,6 +464,21 @@ static float half_step(const struct gather *gather, uint32_t bits)
 	return 0.5f / ((float)gather->layers.depth.size * (float)(1u << bits));
 }
 
+static void bind_tables(const struct gather *gather, struct gpu *gpu)
+{
+	struct gl *gl = &gpu->gl;
+	gpu_bind_texture(gpu, UNIT_EDGE_TILES, gather->tiles);
+	if (gather->images) {
+		gl->BindImageTexture(IMAGE_EDGE_RUNS, gather->runs.texture, 0, GL_FALSE, 0,
+			GL_READ_ONLY, GL_RGBA32UI);
+		gl->BindImageTexture(IMAGE_EDGES, gather->edges.texture, 0, GL_FALSE, 0,
+			GL_READ_ONLY, GL_RGBA32UI);
+	} else {
+		gpu_bind_texture(gpu, UNIT_EDGE_RUNS, gather->runs.texture);
+		gpu_bind_texture(gpu, UNIT_EDGES, gather->edges.texture);
+	}
+}
+
 static void gather_bind(const void *state, struct gpu *gpu, const struct light_frame *frame,
 	const struct program *program)
 {
@@ -468,9 +496,7 @@ static void gather_bind(const void *state, struct gpu *gpu, const struct light_f
 	}
 	gl->Uniform1i(program->uniform.layer_count, gather->layers.count);
 	gl->Uniform1i(program->uniform.hollow_base, (GLint)gather->grid.hollow_base);
-	gpu_bind_texture(gpu, UNIT_EDGE_TILES, gather->tiles);
-	gpu_bind_texture(gpu, UNIT_EDGE_RUNS, gather->runs.texture);
-	gpu_bind_texture(gpu, UNIT_EDGES, gather->edges.texture);
+	bind_tables(gather, gpu);
 	gpu_bind_texture(gpu, UNIT_DISC_MASKS, gather->masks);
 	depth_map_set_receiver(gpu, gather->layers.depth.size, DEPTH_MAP_NEAREST, frame, program);
 	gl->Uniform1f(program->uniform.disc_scale, disc_scale(frame));

@@ -53,6 +53,7 @@ static const struct {
 	{FLAG_SAMPLES, "SAMPLES"},
 	{FLAG_FLAT_INPUTS, "FLAT_INPUTS"},
 	{FLAG_FUSED, "FUSED"},
+	{FLAG_IMAGES, "IMAGES"},
 };
 
 #define FLAG_COUNT (sizeof(flags) / sizeof(flags[0]))
@@ -81,7 +82,8 @@ static void check_stage(struct program_key key, enum shader_stage stage)
 {
 	static struct source source;
 	assemble(&source, key, stage);
-	const char *version = key.flags & FLAG_GATHER ? "#version 310 es\n" : "#version 300 es\n";
+	const char *version =
+		key.flags & (FLAG_GATHER | FLAG_IMAGES) ? "#version 310 es\n" : "#version 300 es\n";
 	assert_memory_equal(source.text, version, strlen(version));
 	/* Precision, before any declaration that it is for. */
 	const char *precision = strstr(source.text, "precision highp float;");
@@ -151,17 +153,18 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	const size_t taps = 1 + plain;       /* gathered, or fetched from plain depths */
 	const size_t comparison = 2 + plain; /* by the sampler, gathered, or fetched */
 	/* Whole lists or runs, on fine or coarse raster grids, behind all casters or anywhere, with
-	 * up to two layers or more, and with triangles over hollows or without. */
-	const size_t edges = 2 * 2 * (1 + 2 * 2);
+	 * up to two layers or more, and with triangles over hollows or without; from textures or
+	 * images. */
+	const size_t edges = 2 * 2 * 2 * (1 + 2 * 2);
 	/* For each pixel or what cells leave out, cells, and what was found before surfaces, of one
 	 * sample a pixel or more. */
 	const size_t gathers = 2 * edges + 1 + 2;
 	const size_t shadows = comparison + /* hard */
 			       3 * taps +   /* smoothies, with no or own depth, or alpha too */
-			       2 +          /* depth and alpha of smoothies at once, and the map's */
-			       taps +       /* two-sided smoothies */
-			       taps +       /* bicubic */
-			       3 * plain +  /* pcss: plain depths, and one of three comparisons */
+			       2 +         /* depth and alpha of smoothies at once, and the map's */
+			       taps +      /* two-sided smoothies */
+			       taps +      /* bicubic */
+			       3 * plain + /* pcss: plain depths, and one of three comparisons */
 			       comparison + /* maps */
 			       2 * 2 +      /* variance maps, filtered or fetched, whole or split */
 			       gathers;
@@ -173,8 +176,9 @@ static void each_valid_variant_assembles_with_its_defines(void **state)
 	assert_int_equal(counts[PROGRAM_SURFACE], 2 * (surfaces + 2 * 2 + 2 + edges + 4 * 2));
 	assert_int_equal(counts[PROGRAM_CELLS], 1);
 	/* Whole lists or runs, on a fine raster grid or a coarse one, with up to two layers or
-	 * more, with triangles over hollows or without, of pixels or points. */
-	assert_int_equal(counts[PROGRAM_FIND], 2 * 2 * 2 * 2 * 2);
+	 * more, with triangles over hollows or without, of pixels or points, from textures or
+	 * images. */
+	assert_int_equal(counts[PROGRAM_FIND], 2 * 2 * 2 * 2 * 2 * 2);
 	assert_int_equal(counts[PROGRAM_KNOWN], 2);
 }
 
@@ -276,6 +280,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 					  FLAG_CELLS | FLAG_POINTS},
 		{PROGRAM_DEPTH_MAP, FLAG_PEEL},
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_RUNS},
+		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_IMAGES},
 		{PROGRAM_BLUR, FLAG_RECEIVER_MAP}, /* of what is blurred already */
 		{PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD | FLAG_SEPARATE_DEPTH},
 		{PROGRAM_SURFACE, FLAG_VISIBILITY | FLAG_TEXTURED},
@@ -293,7 +298,7 @@ static void flags_that_make_no_sense_are_refused(void **state)
 static void names_tell_variants_apart(void **state)
 {
 	(void)state;
-	char text[390], cut[8];
+	char text[400], cut[8];
 	struct program_key key = {PROGRAM_SURFACE, FLAG_LIT | FLAG_SHADOWED | FLAG_HARD};
 	assert_string_equal(program_key_name(key, text, sizeof(text)), "surface LIT SHADOWED HARD");
 	assert_string_equal(program_key_name(key, cut, sizeof(cut)), "surface");

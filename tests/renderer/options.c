@@ -139,7 +139,7 @@ static void bad_driver_options_are_refused_with_a_reason(void **state)
 	} cases[] = {
 		{SM_ERROR_INPUT, "-warp", NULL,
 			"no cap \"warp\"; there are: EXT_color_buffer_float "},
-		{SM_ERROR_INPUT, "+warp", NULL, " srgb_stored"}, /* the last of them, whole */
+		{SM_ERROR_INPUT, "+warp", NULL, " fragment_images"}, /* the last of them, whole */
 		{SM_ERROR_INPUT, "", NULL, "caps \"\": a list"},
 		{SM_ERROR_INPUT, "-", NULL, "no cap \"\""},
 		{SM_ERROR_INPUT, "-min_rg16f,,", NULL, "caps \"\": a list"},

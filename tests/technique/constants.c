@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What all pixels of a light read comes from vertices, or from uniforms: the picture is the same to
- * the bit, whatever shadows are made by. */
+/* What all pixels of a light read comes from vertices, or from uniforms, and lists of edges from
+ * images, or from textures: the picture is the same to the bit, whatever shadows are made by. */
 #include "canvas.h"
 #include "parts.h"
 #include "renderer.h"
@@ -96,19 +96,29 @@ static uint8_t *draw(struct rig *rig, GLsizei samples, uint32_t visibility_of)
 	return pixels;
 }
 
-/* Of all programs of surfaces that were used. */
-static void assert_flat(const struct sm_renderer *renderer, bool flat)
+/* Of all programs that were used: of surfaces, or that walk along edges. */
+static void assert_flagged(const struct sm_renderer *renderer, uint64_t flag, bool flagged)
 {
 	const struct program_cache *cache = &renderer->gpu.programs;
 	size_t count = 0;
 	for (size_t i = 0; i < cache->count; i++) {
 		struct program_key key = cache->programs[i]->key;
-		if (key.kind != PROGRAM_SURFACE)
+		bool walks = key.kind == PROGRAM_FIND || key.flags & FLAG_EDGES;
+		if (flag == FLAG_IMAGES ? !walks : key.kind != PROGRAM_SURFACE)
 			continue;
-		assert_int_equal((key.flags & FLAG_FLAT_INPUTS) != 0, flat);
+		assert_int_equal((key.flags & flag) != 0, flagged);
 		count++;
 	}
 	assert_true(count > 0);
+}
+
+static bool uses_runs(const struct sm_renderer *renderer)
+{
+	const struct program_cache *cache = &renderer->gpu.programs;
+	bool found = false;
+	for (size_t i = 0; i < cache->count; i++)
+		found = found || cache->programs[i]->key.flags & FLAG_RUNS;
+	return found;
 }
 
 static void assert_sampled(const struct sm_renderer *renderer, enum sm_sampling sampling)
@@ -121,14 +131,14 @@ static void assert_sampled(const struct sm_renderer *renderer, enum sm_sampling 
 		sampling == SM_SAMPLING_DEFERRED || sampling == SM_SAMPLING_DEFERRED_SPARSE);
 }
 
-static void constants_from_vertices_look_the_same(void **state)
+/* By two ways, the second of which the flag is of. */
+static void look_the_same(
+	struct rig *rig, const char *const paths[2], uint64_t flag, const char *technique)
 {
-	struct rig *rig = *state;
-	static const char *const paths[2] = {"constants=uniforms", "constants=flat"};
-	fill_scene(rig->scene);
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		uint8_t *light[2], *visibility[2];
-		if (!rig_can_draw(cases[i].shadow.technique))
+		if (!rig_can_draw(cases[i].shadow.technique) ||
+			(technique != NULL && strcmp(cases[i].shadow.technique, technique) != 0))
 			continue;
 		for (int way = 0; way < 2; way++) {
 			rig_use_path(rig, paths[way]);
@@ -136,7 +146,7 @@ static void constants_from_vertices_look_the_same(void **state)
 			light[way] = draw(rig, cases[i].samples, SM_NONE);
 			assert_sampled(rig->renderer, cases[i].shadow.sampling);
 			visibility[way] = draw(rig, 1, 0);
-			assert_flat(rig->renderer, way == 1);
+			assert_flagged(rig->renderer, flag, way == 1);
 		}
 		size_t size = (size_t)4 * WIDTH * HEIGHT;
 		if (memcmp(light[0], light[1], size) != 0 ||
@@ -149,10 +159,38 @@ static void constants_from_vertices_look_the_same(void **state)
 	}
 }
 
+static void constants_from_vertices_look_the_same(void **state)
+{
+	static const char *const paths[2] = {"constants=uniforms", "constants=flat"};
+	struct rig *rig = *state;
+	fill_scene(rig->scene);
+	look_the_same(rig, paths, FLAG_FLAT_INPUTS, NULL);
+}
+
+/* Lists that are whole, and those of runs, which long ones are. */
+static void edges_from_images_look_the_same(void **state)
+{
+	static const char *const paths[2] = {"tables=textures", "tables=images"};
+	struct rig *rig = *state;
+	rig_use_path(rig, paths[1]);
+	fill_scene(rig->scene);
+	look_the_same(rig, paths, FLAG_IMAGES, "gather");
+	assert_false(uses_runs(rig->renderer));
+	uint32_t leaf = parts_add_square(rig->scene);
+	for (int i = 0; i < 300; i++)
+		parts_add_object(rig->scene, leaf, PART_BOTH,
+			&(struct pose){{0.05f, 1, 0.05f}, 7.0f * (float)i,
+				{0.02f * (float)(i % 20), 0.5f + 0.001f * (float)i,
+					0.02f * (float)(i / 20)}});
+	look_the_same(rig, paths, FLAG_IMAGES, "gather");
+	assert_true(uses_runs(rig->renderer));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(constants_from_vertices_look_the_same),
+		rig_test(edges_from_images_look_the_same),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
