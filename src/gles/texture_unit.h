@@ -32,7 +32,7 @@ enum texture_unit {
 	UNIT_SMOOTHIE_WORDS = UNIT_FINS,
 };
 
-/** Which unit each image is at: shaders say the same. Drivers that have any have four or more. */
+/** Which unit each image is at: shaders say the same. OpenGL ES 3.1 has four at least. */
 enum image_unit {
 	IMAGE_EDGE_RUNS,
 	IMAGE_EDGES,

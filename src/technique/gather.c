@@ -28,7 +28,7 @@ struct gather {
 	struct sheet_layers layers;
 	GLuint tiles, masks;
 	struct list_table runs, edges;
-	bool images; /* are what these are read as */
+	bool images; /* or textures are what these are read as */
 	struct edge_grid grid;
 	struct screen_grid soft;
 	float farthest[SCREEN_GRID_SIZE * SCREEN_GRID_SIZE]; /* of casters over a cell; 0: none */
