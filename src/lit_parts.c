@@ -9,12 +9,14 @@
 /* Of casters: what sorting takes is one frame's alone. */
 #define CASTER_TRIANGLES_MAX 65536
 
-/* About a millisecond. */
-#define VISITS_A_FRAME ((size_t)2 * LIT_VISITS_MAX)
+/* Each takes about half a millisecond, which a frame doesn't show. */
+#define VISITS_A_FRAME ((size_t)LIT_VISITS_MAX)
+#define GATHERED_A_FRAME 16384 /* triangles of casters; a caster at least */
+#define FINS_A_FRAME 1024
 
 /* For each of an object's triangles, and at its start for so many: it is left as it is where more
  * is looked at, as for wide filters of a large mesh. */
-#define VISITS_A_TRIANGLE 2048
+#define VISITS_A_TRIANGLE 16384
 #define TRIANGLES_AHEAD 2048
 
 /* Of triangles that need look-ups, as far as clusters tell: where fewer than one in this many does
@@ -67,38 +69,28 @@ static size_t count_casters(const struct sm_scene *scene)
 	return count;
 }
 
-/* As they are drawn, repeated ones too. */
-static bool add_casters(struct lit_search *search, const struct lit_request *request)
+/* As it is drawn, with repeated triangles. */
+static bool add_caster(struct lit_search *search, const struct lit_request *request, size_t object)
 {
-	for (size_t i = 0; i < request->scene->object_count; i++) {
-		const struct object *object = &request->scene->objects[i];
-		const struct mesh *mesh = &request->scene->meshes[object->mesh];
-		mat4 to_clip;
-		if (!object->casts)
-			continue;
-		glm_mat4_mul(
-			(vec4 *)request->frame->world_to_clip, (vec4 *)object->transform, to_clip);
-		if (!lit_search_add(search, (uint32_t)i, (const float(*)[3])mesh->positions,
-			    mesh->vertex_count, mesh->indices, mesh->index_count,
-			    (const float(*)[4])to_clip))
-			return false;
-	}
-	return true;
+	const struct object *caster = &request->scene->objects[object];
+	const struct mesh *mesh = &request->scene->meshes[caster->mesh];
+	mat4 to_clip;
+	glm_mat4_mul((vec4 *)request->frame->world_to_clip, (vec4 *)caster->transform, to_clip);
+	return lit_search_add(search, (uint32_t)object, (const float(*)[3])mesh->positions,
+		mesh->vertex_count, mesh->indices, mesh->index_count, (const float(*)[4])to_clip);
 }
 
-static bool add_fins(struct lit_search *search, const struct fin_set *set)
+static bool add_fin(struct lit_search *search, const struct fin_set *fins, size_t fin)
 {
 	struct fin_vertex v[FIN_VERTICES_MAX];
-	for (size_t i = 0; i < set->count; i++) {
-		size_t count = fin_set_expand(set, i, v);
-		for (size_t first = 0; first < count; first += 4) {
-			float corners[4][3];
-			for (size_t corner = 0; corner < 4; corner++)
-				memcpy(corners[corner], v[first + corner].position,
-					sizeof(corners[corner]));
-			if (!lit_search_add_fin(search, (const float(*)[3])corners))
-				return false;
-		}
+	size_t count = fin_set_expand(fins, fin, v);
+	for (size_t first = 0; first < count; first += 4) {
+		float corners[4][3];
+		for (size_t corner = 0; corner < 4; corner++)
+			memcpy(corners[corner], v[first + corner].position,
+				sizeof(corners[corner]));
+		if (!lit_search_add_fin(search, (const float(*)[3])corners))
+			return false;
 	}
 	return true;
 }
@@ -113,17 +105,53 @@ static bool reserve_lists(struct lit_parts *parts, size_t count)
 	return true;
 }
 
-/* Makes the search of all that casts. */
-static bool prepare(struct lit_parts *parts, const struct lit_request *request)
+static bool start_search(struct lit_parts *parts, const struct lit_request *request)
 {
-	struct lit_search *search = &parts->search;
+	lit_search_clear(&parts->search);
+	parts->object = parts->fin = 0;
+	return reserve_lists(parts, request->scene->object_count);
+}
+
+/* Adds some of the casters to what the search is made of. */
+static bool gather_casters(struct lit_parts *parts, const struct lit_request *request)
+{
+	const struct sm_scene *scene = request->scene;
+	size_t gathered = 0;
+	for (; parts->object < scene->object_count && gathered < GATHERED_A_FRAME;
+		parts->object++) {
+		const struct object *object = &scene->objects[parts->object];
+		if (!object->casts)
+			continue;
+		if (!add_caster(&parts->search, request, parts->object))
+			return false;
+		gathered += scene->meshes[object->mesh].index_count / 3;
+	}
+	return true;
+}
+
+static bool gather_fins(struct lit_parts *parts, const struct fin_set *fins)
+{
+	size_t rest = fins->count - parts->fin;
+	size_t end = parts->fin + (rest < FINS_A_FRAME ? rest : FINS_A_FRAME);
+	for (; parts->fin < end; parts->fin++)
+		if (!add_fin(&parts->search, fins, parts->fin))
+			return false;
+	return true;
+}
+
+/* Goes on with what the search is made of, and then makes it. */
+static bool gather(struct lit_parts *parts, const struct lit_request *request)
+{
 	const struct technique *technique = request->technique;
 	const struct fin_set *fins =
 		technique->fins != NULL ? technique->fins(request->state) : NULL;
-	lit_search_clear(search);
+	if (parts->object < request->scene->object_count)
+		return gather_casters(parts, request);
+	if (fins != NULL && parts->fin < fins->count)
+		return gather_fins(parts, fins);
 	parts->object = parts->triangle = 0;
-	return reserve_lists(parts, request->scene->object_count) && add_casters(search, request) &&
-	       (fins == NULL || add_fins(search, fins)) && lit_search_sort(search);
+	parts->state = LIT_SEARCHED;
+	return lit_search_sort(&parts->search);
 }
 
 static struct lit_rule find_rule(const struct lit_request *request)
@@ -298,9 +326,12 @@ bool lit_parts_find_more(struct lit_parts *parts, struct gpu *gpu,
 	case LIT_SEEN:
 		parts->state = LIT_DONE;
 		if (count_casters(request->scene) <= CASTER_TRIANGLES_MAX) {
-			found = prepare(parts, request);
-			parts->state = LIT_SEARCHED;
+			found = start_search(parts, request);
+			parts->state = LIT_GATHERED;
 		}
+		break;
+	case LIT_GATHERED:
+		found = gather(parts, request);
 		break;
 	case LIT_SEARCHED:
 		found = look_at_objects(parts, gpu, request);

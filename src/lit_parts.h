@@ -16,12 +16,19 @@ struct lit_list {
 /** Of a light that stays as it is, with all that casts, which triangles nothing is in front of:
  * some are looked at in each frame, and drawn without look-ups from then on. Zero is empty. */
 struct lit_parts {
-	enum { LIT_UNSEEN, LIT_SEEN, LIT_SEARCHED, LIT_DONE } state;
+	enum {
+		LIT_UNSEEN,
+		LIT_SEEN,
+		LIT_GATHERED, /* what casts is, for the search */
+		LIT_SEARCHED,
+		LIT_DONE
+	} state;
 	struct lit_list *lists; /* of objects; owned */
 	size_t list_count, list_capacity;
 	/* What the search works with, until it is done: */
 	struct lit_search search;
 	size_t object, triangle; /* to go on with */
+	size_t fin;
 	size_t needy, found; /* of the object's triangles that need look-ups, those that do not */
 	size_t visits;       /* of shapes, for the object */
 	uint8_t *needs;      /* enum need of the object's triangles; owned */

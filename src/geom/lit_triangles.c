@@ -7,8 +7,9 @@
 
 #define OBJECT_OF_FINS UINT32_MAX
 
-/* That take as long as to look closer once. */
-#define CLOSE_VISITS 4
+/* That take as long as to look closer once, and as to ask for a triangle at all. */
+#define CLOSE_VISITS 30
+#define TRIANGLE_VISITS 100
 
 /* Members for each shape, and beyond that, from which on cells are made larger. */
 #define MEMBERS_A_SHAPE 4
@@ -30,9 +31,9 @@
 
 struct lit_shape {
 	uint32_t vertices[3], object;
-	float min[2], max[2]; /* NDC */
-	float near, far;      /* NDC depth that no part of it is before, or beyond */
-	uint8_t first[2];     /* cell */
+	float min[2], max[2];      /* NDC */
+	float near, far;           /* NDC depth that no part of it is before, or beyond */
+	uint8_t first[2], last[2]; /* cells, of LIT_CELLS_MAX a side */
 };
 _Static_assert(LIT_CELLS_MAX <= UINT8_MAX + 1, "cells are counted in bytes");
 
@@ -65,8 +66,8 @@ void lit_search_finish(struct lit_search *search)
 {
 	free(search->vertices);
 	free(search->shapes);
-	free(search->places);
 	free(search->starts);
+	free(search->sorted);
 	free(search->members);
 	*search = (struct lit_search){0};
 }
@@ -75,8 +76,8 @@ size_t lit_search_bytes(const struct lit_search *search)
 {
 	return search->vertex_capacity * sizeof(*search->vertices) +
 	       search->shape_capacity * sizeof(*search->shapes) +
-	       search->place_capacity * sizeof(*search->places) +
 	       search->start_capacity * sizeof(*search->starts) +
+	       search->sorted_capacity * sizeof(*search->sorted) +
 	       search->member_capacity * sizeof(*search->members);
 }
 
@@ -96,6 +97,10 @@ static bool reserve(struct lit_search *search, size_t vertices, size_t shapes)
 		       sizeof(*search->shapes));
 }
 
+/* Without the call that fmin() is. Where the first is no number, the second. */
+#define SMALLER(a, b) ((a) < (b) ? (a) : (b))
+#define LARGER(a, b) ((a) > (b) ? (a) : (b))
+
 /* The same for equal positions, to the bit. */
 static void transform(const float to_clip[4][4], const float position[3], double clip[4])
 {
@@ -112,14 +117,14 @@ static bool add_vertex(struct lit_shape *shape, const double v[4])
 	bool finite = v[3] > 0.0;
 	for (int axis = 0; axis < 2 && v[3] > 0.0; axis++) {
 		float at = (float)(v[axis] / v[3]);
-		shape->min[axis] = fminf(shape->min[axis], at);
-		shape->max[axis] = fmaxf(shape->max[axis], at);
+		shape->min[axis] = SMALLER(at, shape->min[axis]);
+		shape->max[axis] = LARGER(at, shape->max[axis]);
 		finite = finite && isfinite(at);
 	}
 	if (finite) {
 		float depth = (float)(v[2] / v[3]);
-		shape->near = fminf(shape->near, depth);
-		shape->far = fmaxf(shape->far, depth);
+		shape->near = SMALLER(depth, shape->near);
+		shape->far = LARGER(depth, shape->far);
 	}
 	return finite;
 }
@@ -183,61 +188,40 @@ bool lit_search_add_fin(struct lit_search *search, const float corners[4][3])
 	return true;
 }
 
-static int compare_places(const void *a, const void *b)
-{
-	const struct lit_place *left = a, *right = b;
-	if (left->near != right->near)
-		return left->near < right->near ? -1 : 1;
-	return left->shape < right->shape ? -1 : 1;
-}
-
-static bool find_places(struct lit_search *search)
-{
-	if (!array_reserve((void **)&search->places, &search->place_capacity, search->shape_count,
-		    sizeof(*search->places)))
-		return false;
-	for (size_t i = 0; i < search->shape_count; i++)
-		search->places[i] = (struct lit_place){search->shapes[i].near, (uint32_t)i};
-	/* Nothing has no place in memory. */
-	if (search->shape_count > 0)
-		qsort(search->places, search->shape_count, sizeof(*search->places), compare_places);
-	return true;
-}
-
 struct cells {
 	int first[2], last[2];
 };
 
-static int cell_at(const struct lit_search *search, double ndc)
+/* Of LIT_CELLS_MAX a side. What is beside the screen is in the cells along its border. */
+static int cell_at(double ndc)
 {
-	double cell = floor((0.5 * ndc + 0.5) * search->cells);
-	return (int)fmin(fmax(cell, 0.0), search->cells - 1.0);
+	double cell = (0.5 * ndc + 0.5) * LIT_CELLS_MAX;
+	return cell > 0.0 ? (int)SMALLER(cell, LIT_CELLS_MAX - 1.0) : 0;
 }
 
-/* Those that are beside the screen are in the cells along its border. */
-static struct cells cells_of(
-	const struct lit_search *search, const double min[2], const double max[2])
+/* The cells that a shape is in, LIT_CELLS_MAX >> shift of them a side. */
+static struct cells shape_cells(const struct lit_shape *shape, int shift)
 {
-	struct cells cells;
-	for (int axis = 0; axis < 2; axis++) {
-		cells.first[axis] = cell_at(search, min[axis]);
-		cells.last[axis] = cell_at(search, max[axis]);
+	return (struct cells){{shape->first[0] >> shift, shape->first[1] >> shift},
+		{shape->last[0] >> shift, shape->last[1] >> shift}};
+}
+
+static void find_shape_cells(struct lit_search *search)
+{
+	for (size_t i = 0; i < search->shape_count; i++) {
+		struct lit_shape *shape = &search->shapes[i];
+		for (int axis = 0; axis < 2; axis++) {
+			shape->first[axis] = (uint8_t)cell_at(shape->min[axis]);
+			shape->last[axis] = (uint8_t)cell_at(shape->max[axis]);
+		}
 	}
-	return cells;
 }
 
-static struct cells shape_cells(const struct lit_search *search, const struct lit_shape *shape)
-{
-	const double min[2] = {shape->min[0], shape->min[1]};
-	const double max[2] = {shape->max[0], shape->max[1]};
-	return cells_of(search, min, max);
-}
-
-static size_t count_members(const struct lit_search *search)
+static size_t count_members(const struct lit_search *search, int shift)
 {
 	size_t count = 0;
 	for (size_t i = 0; i < search->shape_count; i++) {
-		struct cells cells = shape_cells(search, &search->shapes[i]);
+		struct cells cells = shape_cells(&search->shapes[i], shift);
 		count += (size_t)(cells.last[0] - cells.first[0] + 1) *
 			 (size_t)(cells.last[1] - cells.first[1] + 1);
 	}
@@ -248,10 +232,15 @@ static size_t count_members(const struct lit_search *search)
 static size_t choose_cells(struct lit_search *search)
 {
 	size_t most = MEMBERS_A_SHAPE * search->shape_count + MEMBERS_BEYOND, count;
-	search->cells = LIT_CELLS_MAX;
-	while ((count = count_members(search)) > most && search->cells > 1)
-		search->cells /= 2;
+	search->shift = 0;
+	while ((count = count_members(search, search->shift)) > most)
+		search->shift++;
 	return count;
+}
+
+static int cells_a_side(const struct lit_search *search)
+{
+	return LIT_CELLS_MAX >> search->shift;
 }
 
 /* Counts each cell's, and has starts lead to where they end. */
@@ -259,13 +248,10 @@ static void find_ends(struct lit_search *search, size_t cell_count)
 {
 	memset(search->starts, 0, (cell_count + 1) * sizeof(*search->starts));
 	for (size_t i = 0; i < search->shape_count; i++) {
-		struct lit_shape *shape = &search->shapes[i];
-		struct cells cells = shape_cells(search, shape);
-		shape->first[0] = (uint8_t)cells.first[0];
-		shape->first[1] = (uint8_t)cells.first[1];
+		struct cells cells = shape_cells(&search->shapes[i], search->shift);
 		for (int y = cells.first[1]; y <= cells.last[1]; y++)
 			for (int x = cells.first[0]; x <= cells.last[0]; x++)
-				search->starts[y * search->cells + x]++;
+				search->starts[y * cells_a_side(search) + x]++;
 	}
 	for (size_t i = 1; i <= cell_count; i++)
 		search->starts[i] += search->starts[i - 1];
@@ -275,28 +261,58 @@ static void find_ends(struct lit_search *search, size_t cell_count)
 static void write_members(struct lit_search *search)
 {
 	for (size_t i = search->shape_count; i-- > 0;) {
-		struct lit_place place = search->places[i];
-		struct cells cells = shape_cells(search, &search->shapes[place.shape]);
+		struct lit_place place = {search->shapes[i].near, (uint32_t)i};
+		struct cells cells = shape_cells(&search->shapes[i], search->shift);
 		for (int y = cells.first[1]; y <= cells.last[1]; y++)
 			for (int x = cells.first[0]; x <= cells.last[0]; x++)
-				search->members[--search->starts[y * search->cells + x]] = place;
+				search->members[--search->starts[y * cells_a_side(search) + x]] =
+					place;
 	}
 }
 
 bool lit_search_sort(struct lit_search *search)
 {
+	find_shape_cells(search);
 	size_t count = choose_cells(search);
-	size_t cell_count = (size_t)search->cells * (size_t)search->cells;
+	size_t cell_count = (size_t)cells_a_side(search) * (size_t)cells_a_side(search);
 	if (count >= UINT32_MAX ||
 		!array_reserve((void **)&search->starts, &search->start_capacity, cell_count + 1,
 			sizeof(*search->starts)) ||
+		!array_reserve((void **)&search->sorted, &search->sorted_capacity, cell_count,
+			sizeof(*search->sorted)) ||
 		!array_reserve((void **)&search->members, &search->member_capacity, count,
-			sizeof(*search->members)) ||
-		!find_places(search))
+			sizeof(*search->members)))
 		return false;
+	memset(search->sorted, 0, cell_count * sizeof(*search->sorted));
 	find_ends(search, cell_count);
 	write_members(search);
 	return true;
+}
+
+static int compare_places(const void *a, const void *b)
+{
+	const struct lit_place *left = a, *right = b;
+	if (left->near != right->near)
+		return left->near < right->near ? -1 : 1;
+	return left->shape < right->shape ? -1 : left->shape > right->shape;
+}
+
+/* Of more members a cell is sorted by the library. */
+#define SORTED_HERE 32
+
+static void sort_places(struct lit_place *places, size_t count)
+{
+	if (count > SORTED_HERE) {
+		qsort(places, count, sizeof(*places), compare_places);
+		return;
+	}
+	for (size_t i = 1; i < count; i++) {
+		struct lit_place place = places[i];
+		size_t to = i;
+		for (; to > 0 && compare_places(&places[to - 1], &place) > 0; to--)
+			places[to] = places[to - 1];
+		places[to] = place;
+	}
 }
 
 /* False where the light sees it edge on, or as good as. */
@@ -370,8 +386,8 @@ static bool find_receiver(struct receiver *receiver, const float triangle[3][3],
 	double(*p)[3] = receiver->points;
 	double around = receiver->averted ? BESIDE : rule->around;
 	for (int axis = 0; axis < 2; axis++) {
-		receiver->min[axis] = fmin(fmin(p[0][axis], p[1][axis]), p[2][axis]) - around;
-		receiver->max[axis] = fmax(fmax(p[0][axis], p[1][axis]), p[2][axis]) + around;
+		receiver->min[axis] = SMALLER(SMALLER(p[0][axis], p[1][axis]), p[2][axis]) - around;
+		receiver->max[axis] = LARGER(LARGER(p[0][axis], p[1][axis]), p[2][axis]) + around;
 	}
 	receiver->slope = slope_of(&receiver->plane);
 	receiver->gap = fmax(fmax(gap_at(0.5 * p[0][2] + 0.5, rule->near_to_far),
@@ -391,19 +407,17 @@ struct polygon {
 	int count;
 };
 
-static struct polygon polygon_of(const double *const clip[3])
+static void polygon_init(struct polygon *polygon, const double *const clip[3])
 {
-	struct polygon polygon;
-	polygon.count = 3;
+	polygon->count = 3;
 	for (int i = 0; i < 3; i++)
-		memcpy(polygon.corners[i], clip[i], sizeof(polygon.corners[i]));
-	return polygon;
+		memcpy(polygon->corners[i], clip[i], sizeof(polygon->corners[i]));
 }
 
-static struct polygon own_polygon(const struct receiver *receiver)
+static void polygon_init_own(struct polygon *polygon, const struct receiver *receiver)
 {
 	const double *const clip[3] = {receiver->clip[0], receiver->clip[1], receiver->clip[2]};
-	return polygon_of(clip);
+	polygon_init(polygon, clip);
 }
 
 /* Keeps what of it is on one side: n[0] x + n[1] y + n[2] w >= 0. */
@@ -425,7 +439,8 @@ static void cut(struct polygon *polygon, const double n[3])
 				corner[axis] = a[axis] + t * (b[axis] - a[axis]);
 		}
 	}
-	*polygon = kept;
+	polygon->count = kept.count;
+	memcpy(polygon->corners, kept.corners, (size_t)kept.count * sizeof(kept.corners[0]));
 }
 
 /* Keeps what of it is over a triangle, NDC, or within `slack` of it in x and y. */
@@ -442,6 +457,17 @@ static void cut_to(struct polygon *polygon, const double points[3][3], double sl
 	}
 }
 
+/* Whether all of it is before a plane by `least`, NDC depth. */
+static bool all_before(const struct polygon *polygon, const struct plane *plane, double least)
+{
+	for (int i = 0; i < polygon->count; i++) {
+		const double *corner = polygon->corners[i];
+		if (!(-behind(plane, corner) >= least * corner[3]))
+			return false;
+	}
+	return true;
+}
+
 /* Whether all that is looked up of a shape is as far from the light as the receiver, less its bias.
  * It is found up to `around` from a point of the receiver: by as much it may come nearer, on its
  * own plane, than it is there. */
@@ -450,17 +476,22 @@ static bool is_beyond(
 {
 	double points[3][3];
 	struct plane plane;
-	struct polygon over = own_polygon(receiver);
 	if (!project(clip, points) || !find_plane(points, &plane))
 		return false;
-	cut_to(&over, points, rule->around);
 	double least = slope_of(&plane) * rule->around - receiver->slope * rule->bias;
-	for (int i = 0; i < over.count; i++) {
-		const double *corner = over.corners[i];
-		if (!(-behind(&plane, corner) >= least * corner[3]))
-			return false;
-	}
-	return true;
+	struct polygon over;
+	polygon_init_own(&over, receiver);
+	/* What all of it is, its part over the shape is. */
+	if (all_before(&over, &plane, least))
+		return true;
+	cut_to(&over, points, rule->around);
+	return all_before(&over, &plane, least);
+}
+
+/* To the bit, as a transform makes them of one vertex; most differ in the first number. */
+static bool is_same(const double a[4], const double b[4])
+{
+	return a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];
 }
 
 /* Which of a shape's corners each of the receiver's is, -1 for none; and how many are. */
@@ -470,7 +501,7 @@ static int find_shared(const struct receiver *receiver, const double *const clip
 	for (int i = 0; i < 3; i++) {
 		shared[i] = -1;
 		for (int j = 0; j < 3; j++)
-			if (memcmp(receiver->clip[i], clip[j], sizeof(receiver->clip[i])) == 0)
+			if (is_same(receiver->clip[i], clip[j]))
 				shared[i] = j;
 		count += shared[i] >= 0;
 	}
@@ -500,8 +531,8 @@ static void find_depths(
 		/* What goes on behind the eye has no end there. */
 		double depth = behind(&receiver->plane, corner);
 		double at = corner[3] > 0.0 ? depth / corner[3] : copysign(INFINITY, depth);
-		*least = fmin(*least, at);
-		*most = fmax(*most, at);
+		*least = SMALLER(at, *least);
+		*most = LARGER(at, *most);
 	}
 }
 
@@ -524,9 +555,10 @@ static double area_of(const struct polygon *polygon)
 /* Whether a neighbour is folded over the receiver. */
 static bool is_folded(const struct receiver *receiver, const double *const clip[3])
 {
-	struct polygon over = polygon_of(clip);
-	const struct polygon whole = own_polygon(receiver);
+	struct polygon over, whole;
 	double least, most;
+	polygon_init(&over, clip);
+	polygon_init_own(&whole, receiver);
 	find_depths(receiver, &over, &least, &most);
 	if (least < -FLAT || most > FLAT)
 		return false;
@@ -548,7 +580,8 @@ static bool touches(
 	}
 	if (count > 0)
 		return is_inverted(shared) || is_folded(receiver, clip);
-	struct polygon over = polygon_of(clip);
+	struct polygon over;
+	polygon_init(&over, clip);
 	find_depths(receiver, &over, &least, &most);
 	if (least > receiver->gap || most < -receiver->gap)
 		return false;
@@ -591,18 +624,24 @@ static bool is_beside(const struct receiver *receiver, const struct lit_shape *s
 }
 
 /* Whether a cell is the first that a shape and the receiver have in common. */
-static bool is_first(const struct lit_shape *shape, const struct cells *cells, int x, int y)
+static bool is_first(const struct lit_search *search, const struct lit_shape *shape,
+	const struct cells *cells, int x, int y)
 {
-	const uint8_t *own = shape->first;
-	return x == (own[0] > cells->first[0] ? own[0] : cells->first[0]) &&
-	       y == (own[1] > cells->first[1] ? own[1] : cells->first[1]);
+	struct cells own = shape_cells(shape, search->shift);
+	return x == LARGER(own.first[0], cells->first[0]) &&
+	       y == LARGER(own.first[1], cells->first[1]);
 }
 
 /* Whether all members of a cell are clear of the receiver, and not too many with those before. */
-static bool cell_is_clear(const struct lit_search *search, struct receiver *receiver,
+static bool cell_is_clear(struct lit_search *search, struct receiver *receiver,
 	const struct cells *cells, int x, int y, const struct lit_rule *rule)
 {
-	const uint32_t *start = &search->starts[y * search->cells + x];
+	int cell = y * cells_a_side(search) + x;
+	const uint32_t *start = &search->starts[cell];
+	if (!search->sorted[cell]) {
+		sort_places(&search->members[start[0]], start[1] - start[0]);
+		search->sorted[cell] = true;
+	}
 	for (uint32_t i = start[0]; i < start[1]; i++) {
 		const struct lit_place *place = &search->members[i];
 		const struct lit_shape *shape = &search->shapes[place->shape];
@@ -610,7 +649,7 @@ static bool cell_is_clear(const struct lit_search *search, struct receiver *rece
 			break;
 		if (++receiver->visits >= LIT_VISITS_MAX)
 			return false;
-		if (!concerns(receiver, shape) || !is_first(shape, cells, x, y) ||
+		if (!concerns(receiver, shape) || !is_first(search, shape, cells, x, y) ||
 			is_beside(receiver, shape))
 			continue;
 		receiver->visits += CLOSE_VISITS;
@@ -621,9 +660,13 @@ static bool cell_is_clear(const struct lit_search *search, struct receiver *rece
 }
 
 static bool is_lit(
-	const struct lit_search *search, struct receiver *receiver, const struct lit_rule *rule)
+	struct lit_search *search, struct receiver *receiver, const struct lit_rule *rule)
 {
-	const struct cells cells = cells_of(search, receiver->min, receiver->max);
+	struct cells cells;
+	for (int axis = 0; axis < 2; axis++) {
+		cells.first[axis] = cell_at(receiver->min[axis]) >> search->shift;
+		cells.last[axis] = cell_at(receiver->max[axis]) >> search->shift;
+	}
 	for (int y = cells.first[1]; y <= cells.last[1]; y++)
 		for (int x = cells.first[0]; x <= cells.last[0]; x++)
 			if (!cell_is_clear(search, receiver, &cells, x, y, rule))
@@ -631,10 +674,11 @@ static bool is_lit(
 	return true;
 }
 
-bool lit_search_is_lit(const struct lit_search *search, uint32_t object, const float triangle[3][3],
+bool lit_search_is_lit(struct lit_search *search, uint32_t object, const float triangle[3][3],
 	bool averted, const float to_clip[4][4], const struct lit_rule *rule, size_t *visits)
 {
-	struct receiver receiver = {.object = object, .averted = averted, .visits = 1};
+	struct receiver receiver = {
+		.object = object, .averted = averted, .visits = TRIANGLE_VISITS};
 	bool lit = find_receiver(&receiver, triangle, to_clip, rule) &&
 		   is_lit(search, &receiver, rule);
 	*visits += receiver.visits;

@@ -9,8 +9,9 @@
 /** Cells a side of the screen that shapes are found by, at most. */
 #define LIT_CELLS_MAX 256
 
-/** Of shapes, each as often as it is in a cell, and more often where it takes a closer look. */
-#define LIT_VISITS_MAX 65536
+/** Of shapes, each as often as it is in a cell, and more often where it takes a closer look: some
+ *  nanoseconds each. */
+#define LIT_VISITS_MAX 131072
 
 /** How a technique looks up what is on a light's screen, and what a map of that does to depths. */
 struct lit_rule {
@@ -27,12 +28,12 @@ struct lit_rule {
 struct lit_search {
 	double (*vertices)[4];
 	struct lit_shape *shapes;  /* triangles */
-	struct lit_place *places;  /* of shapes, the nearest first */
-	struct lit_place *members; /* of each cell, row after row, the nearest first */
+	struct lit_place *members; /* of each cell, row after row */
 	uint32_t *starts;          /* of the cells' members; and where the last end */
+	bool *sorted;              /* a cell's members, the nearest first: once they are needed */
 	size_t vertex_count, vertex_capacity, shape_count, shape_capacity;
-	size_t place_capacity, member_capacity, start_capacity;
-	int cells; /* a side: fewer where shapes are large */
+	size_t member_capacity, start_capacity, sorted_capacity;
+	int shift; /* LIT_CELLS_MAX >> shift cells a side: fewer where shapes are large */
 };
 
 void lit_search_finish(struct lit_search *search);
@@ -59,10 +60,10 @@ bool lit_search_sort(struct lit_search *search);
  * nearly: where two surfaces are at one depth, which of them is drawn first shows.
  *
  * triangle: three vertices, with the transform that the caster was added with. averted: no light
- * arrives at it, so that nothing matters but what touches it. visits: counted up by how many shapes
- * are looked at, LIT_VISITS_MAX at most, where there are more it is false.
+ * arrives at it, so that nothing matters but what touches it. visits: counted up by what it takes,
+ * about LIT_VISITS_MAX at most: where that is not enough it is false.
  */
-bool lit_search_is_lit(const struct lit_search *search, uint32_t object, const float triangle[3][3],
+bool lit_search_is_lit(struct lit_search *search, uint32_t object, const float triangle[3][3],
 	bool averted, const float to_clip[4][4], const struct lit_rule *rule, size_t *visits);
 
 #endif

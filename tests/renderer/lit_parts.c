@@ -184,6 +184,31 @@ static void triangles_with_nothing_in_front_look_nothing_up(void **state)
 	pair_finish(&pair);
 }
 
+/* Casters and fins are gathered once more, all of them. */
+static void what_comes_back_is_found_again(void **state)
+{
+	struct pair pair;
+	struct stage stage;
+	pair_init(&pair, *state);
+	pair_set_technique(&pair, "smoothie");
+	assert_true(stage_load(&stage, "builtin:fence", NULL, 0, NULL));
+	const struct sm_light_desc light = stage.scene->lights[0].desc;
+	struct sm_light_desc other = light;
+	other.position[1] += 1;
+	draw_until_searched(&pair, stage.scene, &stage.camera);
+	struct tally first = count_lists(&pair, stage.scene);
+	assert_true(sm_scene_set_light(stage.scene, 0, &other, NULL));
+	draw(&pair, pair.skipping, stage.scene, &stage.camera, SM_NONE);
+	assert_true(sm_scene_set_light(stage.scene, 0, &light, NULL));
+	draw_until_searched(&pair, stage.scene, &stage.camera);
+	struct tally again = count_lists(&pair, stage.scene);
+	assert_int_equal(again.triangles, first.triangles);
+	assert_int_equal(again.lit, first.lit);
+	check_views(&pair, stage.scene, &stage.camera, "back again");
+	stage_finish(&stage);
+	pair_finish(&pair);
+}
+
 #define BALL_STEPS 12
 
 /* Twice the same faces, of which the second have normals of their own. turned: they are seen from
@@ -405,6 +430,7 @@ int main(void)
 		rig_test(triangles_with_nothing_in_front_look_nothing_up),
 		rig_test(surfaces_at_one_depth_keep_their_order),
 		rig_test(what_changes_is_searched_anew),
+		rig_test(what_comes_back_is_found_again),
 		rig_test(creases_look_up),
 		rig_test(what_is_not_shaded_as_usual_is_not_searched),
 		rig_test(a_crowd_is_not_searched),
