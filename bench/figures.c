@@ -16,11 +16,12 @@
 
 #define LIGHTS 8
 #define ROUNDS_MAX 101
+#define WARM_MAX 10000
 #define SHARE_NEAR 0.05 /* of the picture, near a penumbra */
 #define NEAR_PIXELS 2
 
 struct options {
-	uint32_t size, map, rounds;
+	uint32_t size, map, rounds, warm;
 	const char *technique, *figure;
 	bool plain; /* the framebuffer is not sRGB */
 };
@@ -133,10 +134,10 @@ static double ratio_of(const struct bench *bench, const double *times, const dou
 	return statistics_median(ratios, bench->options->rounds);
 }
 
-/* Times both players, frame by frame; the first two rounds compile all programs. */
+/* Times both players, frame by frame; the first rounds, which are not, compile all programs. */
 static bool time_pair(const struct bench *bench, struct player *players, struct sm_error *error)
 {
-	for (int round = -2; round < (int)bench->options->rounds; round++) {
+	for (int round = -(int)bench->options->warm; round < (int)bench->options->rounds; round++) {
 		for (int i = 0; i < 2; i++) {
 			/* Neither is always the one that comes after the other. */
 			struct player *player = &players[(i + round) & 1];
@@ -213,7 +214,8 @@ static bool figure_view(const struct bench *bench, struct sm_error *error)
 	struct player player;
 	double ready[ROUNDS_MAX], bare[ROUNDS_MAX];
 	bool done = player_init(bench, &player, bench->options->technique, error);
-	for (int round = -2; round < (int)bench->options->rounds && done; round++) {
+	for (int round = -(int)bench->options->warm; round < (int)bench->options->rounds && done;
+		round++) {
 		double moved = time_frame(bench, &player, round, error);
 		double again = time_frame(bench, &player, round, error);
 		double start = now_ms();
@@ -355,13 +357,14 @@ static const struct {
 
 static void usage(FILE *file)
 {
-	fputs("usage: bench-figures [-f FIGURE] [-s PIXELS] [-m TEXELS] [-n ROUNDS] [-t TECHNIQUE] "
-	      "[SCENE...]\n"
+	fputs("usage: bench-figures [-f FIGURE] [-s PIXELS] [-m TEXELS] [-n ROUNDS] [-w ROUNDS] "
+	      "[-t TECHNIQUE] [SCENE...]\n"
 	      "Times, of all processors and by the clock, frames in which there is little to do.\n"
 	      "  -f  view, lights or penumbra; all\n"
 	      "  -s  pixels a side of the picture (1024)\n"
 	      "  -m  texels a side of the shadow map (1024)\n"
 	      "  -n  rounds, up to 101; medians are printed (15)\n"
+	      "  -w  rounds before these (2); some hundred: until lit triangles are found\n"
 	      "  -t  technique (smoothie)\n"
 	      "  -p  into a framebuffer that is not sRGB\n",
 		file);
@@ -370,10 +373,11 @@ static void usage(FILE *file)
 static bool parse(struct options *options, int argc, char **argv)
 {
 	int option;
-	while ((option = getopt(argc, argv, "f:s:m:n:t:ph")) != -1) {
+	while ((option = getopt(argc, argv, "f:s:m:n:w:t:ph")) != -1) {
 		uint32_t *value = option == 's'   ? &options->size
 				  : option == 'm' ? &options->map
 				  : option == 'n' ? &options->rounds
+				  : option == 'w' ? &options->warm
 						  : NULL;
 		if (option == 'h') {
 			usage(stdout);
@@ -386,7 +390,7 @@ static bool parse(struct options *options, int argc, char **argv)
 		else if (value == NULL || (*value = (uint32_t)strtoul(optarg, NULL, 10)) == 0)
 			return false;
 	}
-	return options->rounds <= ROUNDS_MAX && options->size <= 4096;
+	return options->rounds <= ROUNDS_MAX && options->warm <= WARM_MAX && options->size <= 4096;
 }
 
 static bool run(const struct options *options, char **scenes, int count, struct sm_error *error)
@@ -419,7 +423,8 @@ int main(int argc, char **argv)
 		MODEL("ferris-wheel"), MODEL("low-poly-farm"), MODEL("motorcycle"),
 		MODEL("shaderball"), MODEL("sheen-chair"), MODEL("ship-light"), MODEL("spot"),
 		MODEL("toy-car")};
-	struct options options = {.size = 1024, .map = 1024, .rounds = 15, .technique = "smoothie"};
+	struct options options = {
+		.size = 1024, .map = 1024, .rounds = 15, .warm = 2, .technique = "smoothie"};
 	struct sm_error error = {0};
 	if (!parse(&options, argc, argv)) {
 		usage(stderr);
