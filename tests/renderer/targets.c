@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A target that could not be made in one frame is made in the next. */
+/* A target or a table that could not be made in one frame is made in the next. */
 #include "canvas.h"
 #include "parts.h"
 #include "platform.h"
 #include "visibility.h"
 #include <GLES3/gl3.h>
+#include <limits.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <string.h>
@@ -13,27 +14,44 @@
 
 #define SIZE 64
 
-/* A driver that once makes an incomplete framebuffer: those that are good until then, and whether
- * it came. */
+/* A driver that once makes an incomplete framebuffer, or a texture without memory: those that are
+ * good until then, and whether it came. */
 #define ALL_GOOD 1000000
+enum spoil { FRAMEBUFFERS, TEXTURES };
+static enum spoil spoils;
 static unsigned int good = ALL_GOOD;
 static bool spoiled;
+
+static bool is_spoiled(enum spoil what)
+{
+	bool now = spoils == what && good-- == 0;
+	spoiled = spoiled || now;
+	return now;
+}
 
 static GLenum GL_APIENTRY spoil_status(GLenum target)
 {
 	PFNGLCHECKFRAMEBUFFERSTATUSPROC status =
 		(PFNGLCHECKFRAMEBUFFERSTATUSPROC)platform_get_proc("glCheckFramebufferStatus");
-	if (good-- == 0) {
-		spoiled = true;
+	if (is_spoiled(FRAMEBUFFERS)) {
 		glFramebufferTexture2D(target, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
 		glFramebufferTexture2D(target, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
 	}
 	return status(target);
 }
 
+/* No texture is as wide. */
+static void GL_APIENTRY spoil_storage(
+	GLenum target, GLsizei levels, GLenum format, GLsizei width, GLsizei height)
+{
+	PFNGLTEXSTORAGE2DPROC store = (PFNGLTEXSTORAGE2DPROC)platform_get_proc("glTexStorage2D");
+	store(target, levels, format, is_spoiled(TEXTURES) ? INT_MAX : width, height);
+}
+
 static void (*get_proc(const char *name))(void)
 {
 	return strcmp(name, "glCheckFramebufferStatus") == 0 ? (void (*)(void))spoil_status
+	       : strcmp(name, "glTexStorage2D") == 0         ? (void (*)(void))spoil_storage
 							     : platform_get_proc(name);
 }
 
@@ -65,6 +83,8 @@ static bool draw_spoiled(struct rig *rig, unsigned int good_ones)
 	good = good_ones;
 	spoiled = false;
 	bool drawn = sm_renderer_draw(rig->renderer, rig->scene, &view, NULL);
+	if (spoils == TEXTURES)
+		rig->problems = 0; /* they are wanted */
 	good = ALL_GOOD;
 	canvas_finish(&canvas);
 	return drawn;
@@ -125,10 +145,37 @@ static void what_could_not_be_made_is_made_later(void **state)
 	}
 }
 
+/* The driver says so at the frame's end. */
+static void what_has_no_memory_has_some_later(void **state)
+{
+	struct rig *rig = *state;
+	static const struct {
+		struct sm_shadow_options options;
+		unsigned int textures;
+	} cases[] = {
+		/* Two shadow maps and the smoothie buffer. */
+		{{.technique = "smoothie"}, 3},
+		/* A layer, its depths, the edges. */
+		{{.technique = "gather", .sampling = SM_SAMPLING_DENSE}, 3},
+	};
+	parts_add_shadowed_square(rig->scene);
+	spoils = TEXTURES;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct sm_shadow_options options = cases[i].options;
+		options.map_size = 64;
+		unsigned int failures = spoil_one_by_one(rig, NULL, &options);
+		if (failures != cases[i].textures)
+			fail_msg(
+				"case %zu: %u textures and not %u", i, failures, cases[i].textures);
+	}
+	spoils = FRAMEBUFFERS;
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		rig_test(what_could_not_be_made_is_made_later),
+		rig_test(what_has_no_memory_has_some_later),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -175,6 +175,43 @@ static void a_radius_may_change(void **state)
 	visibility_finish(&again);
 }
 
+static void add_list_bytes(void *data, const struct sm_memory_part *part)
+{
+	uint64_t *sum = data;
+	if (part->kind == SM_MEMORY_GL && strcmp(part->owner, "edge lists") == 0)
+		*sum += part->bytes;
+}
+
+static uint64_t list_bytes(const struct rig *rig)
+{
+	uint64_t sum = 0;
+	sm_renderer_list_memory(rig->renderer, rig->scene, add_list_bytes, &sum);
+	return sum;
+}
+
+/* As little as before there was one, but for the tiles. */
+static void edges_that_are_gone_take_no_memory(void **state)
+{
+	struct rig *rig = *state;
+	add_blocks(rig, 5);
+	uint32_t light = parts_add_light(rig->scene, &lamp);
+	struct sm_light_desc away = lamp;
+	away.target[0] = 100;
+	uint64_t bytes[4];
+	rig_set_shadows(rig, &(struct sm_shadow_options){.technique = "gather"});
+	for (int i = 0; i < 4; i++) {
+		const struct sm_light_desc *desc = i % 2 == 0 ? &away : &lamp;
+		struct visibility seen;
+		assert_true(sm_scene_set_light(rig->scene, light, desc, NULL));
+		visibility_draw(&seen, rig, rig->scene, &overhead, SIZE, SIZE);
+		visibility_finish(&seen);
+		bytes[i] = list_bytes(rig);
+	}
+	assert_true(bytes[1] > bytes[0]);
+	assert_int_equal(bytes[2], bytes[0]);
+	assert_int_equal(bytes[3], bytes[1]);
+}
+
 static void count_warnings(void *data, enum sm_log_level level, const char *line)
 {
 	(void)line;
@@ -273,6 +310,7 @@ int main(void)
 		rig_test(map_sizes_make_no_difference),
 		rig_test(lights_do_not_disturb_each_other),
 		rig_test(a_radius_may_change),
+		rig_test(edges_that_are_gone_take_no_memory),
 		rig_test(what_matches_is_not_always_the_own_sheet),
 		rig_test(a_bent_sheets_edge_is_its_own),
 		rig_test(a_falling_sheets_edge_is_its_own),
