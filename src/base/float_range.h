@@ -2,8 +2,8 @@
 #ifndef BASE_FLOAT_RANGE_H
 #define BASE_FLOAT_RANGE_H
 
-/* fmaxf() and fminf() are calls, as a number that is none must not win there. Here b is taken where
- * either is none. */
+/* fmaxf() and the like are calls, as a number that is none must not win there. Here b is taken
+ * where either is none. */
 
 static inline float larger(float a, float b)
 {
@@ -11,6 +11,16 @@ static inline float larger(float a, float b)
 }
 
 static inline float smaller(float a, float b)
+{
+	return a < b ? a : b;
+}
+
+static inline double larger_double(double a, double b)
+{
+	return a > b ? a : b;
+}
+
+static inline double smaller_double(double a, double b)
 {
 	return a < b ? a : b;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "geom/lit_triangles.h"
 #include "base/array.h"
+#include "base/float_range.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -97,10 +98,6 @@ static bool reserve(struct lit_search *search, size_t vertices, size_t shapes)
 		       sizeof(*search->shapes));
 }
 
-/* Without the call that fmin() is. Where the first is no number, the second. */
-#define SMALLER(a, b) ((a) < (b) ? (a) : (b))
-#define LARGER(a, b) ((a) > (b) ? (a) : (b))
-
 /* The same for equal positions, to the bit. */
 static void transform(const float to_clip[4][4], const float position[3], double clip[4])
 {
@@ -117,14 +114,14 @@ static bool add_vertex(struct lit_shape *shape, const double v[4])
 	bool finite = v[3] > 0.0;
 	for (int axis = 0; axis < 2 && v[3] > 0.0; axis++) {
 		float at = (float)(v[axis] / v[3]);
-		shape->min[axis] = SMALLER(at, shape->min[axis]);
-		shape->max[axis] = LARGER(at, shape->max[axis]);
+		shape->min[axis] = smaller(at, shape->min[axis]);
+		shape->max[axis] = larger(at, shape->max[axis]);
 		finite = finite && isfinite(at);
 	}
 	if (finite) {
 		float depth = (float)(v[2] / v[3]);
-		shape->near = SMALLER(depth, shape->near);
-		shape->far = LARGER(depth, shape->far);
+		shape->near = smaller(depth, shape->near);
+		shape->far = larger(depth, shape->far);
 	}
 	return finite;
 }
@@ -196,7 +193,7 @@ struct cells {
 static int cell_at(double ndc)
 {
 	double cell = (0.5 * ndc + 0.5) * LIT_CELLS_MAX;
-	return cell > 0.0 ? (int)SMALLER(cell, LIT_CELLS_MAX - 1.0) : 0;
+	return cell > 0.0 ? (int)smaller_double(cell, LIT_CELLS_MAX - 1.0) : 0;
 }
 
 /* The cells that a shape is in, LIT_CELLS_MAX >> shift of them a side. */
@@ -386,8 +383,10 @@ static bool find_receiver(struct receiver *receiver, const float triangle[3][3],
 	double(*p)[3] = receiver->points;
 	double around = receiver->averted ? BESIDE : rule->around;
 	for (int axis = 0; axis < 2; axis++) {
-		receiver->min[axis] = SMALLER(SMALLER(p[0][axis], p[1][axis]), p[2][axis]) - around;
-		receiver->max[axis] = LARGER(LARGER(p[0][axis], p[1][axis]), p[2][axis]) + around;
+		receiver->min[axis] =
+			smaller_double(smaller_double(p[0][axis], p[1][axis]), p[2][axis]) - around;
+		receiver->max[axis] =
+			larger_double(larger_double(p[0][axis], p[1][axis]), p[2][axis]) + around;
 	}
 	receiver->slope = slope_of(&receiver->plane);
 	receiver->gap = fmax(fmax(gap_at(0.5 * p[0][2] + 0.5, rule->near_to_far),
@@ -488,7 +487,7 @@ static bool is_beyond(
 	return all_before(&over, &plane, least);
 }
 
-/* To the bit, as a transform makes them of one vertex; most differ in the first number. */
+/* As a transform makes them of one vertex; most differ in the first number. */
 static bool is_same(const double a[4], const double b[4])
 {
 	return a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];
@@ -531,8 +530,8 @@ static void find_depths(
 		/* What goes on behind the eye has no end there. */
 		double depth = behind(&receiver->plane, corner);
 		double at = corner[3] > 0.0 ? depth / corner[3] : copysign(INFINITY, depth);
-		*least = SMALLER(at, *least);
-		*most = LARGER(at, *most);
+		*least = smaller_double(at, *least);
+		*most = larger_double(at, *most);
 	}
 }
 
@@ -628,8 +627,8 @@ static bool is_first(const struct lit_search *search, const struct lit_shape *sh
 	const struct cells *cells, int x, int y)
 {
 	struct cells own = shape_cells(shape, search->shift);
-	return x == LARGER(own.first[0], cells->first[0]) &&
-	       y == LARGER(own.first[1], cells->first[1]);
+	return x == (own.first[0] > cells->first[0] ? own.first[0] : cells->first[0]) &&
+	       y == (own.first[1] > cells->first[1] ? own.first[1] : cells->first[1]);
 }
 
 /* Whether all members of a cell are clear of the receiver, and not too many with those before. */
